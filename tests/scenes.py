@@ -17,7 +17,7 @@ from viscodesign.solve.problem import Problem
 ROOT = Path(__file__).parent.parent
 CONFIGS = ROOT / "configs"
 ROBOT_SPECS = (CONFIGS / "hexapod.yaml",)
-SEVERAL_SPECS = (CONFIGS / "three_legs.yaml",)
+SEVERAL_SPECS = (CONFIGS / "three_legs.yaml", CONFIGS / "two_legs.yaml")
 ACTUATOR_SPECS = sorted({*CONFIGS.glob("*.yaml")} - {*ROBOT_SPECS, *SEVERAL_SPECS})
 """Bundled specs of one actuator."""
 DATA = Path(__file__).parent / "validation" / "data"

@@ -10,6 +10,7 @@ from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.checks.scene_warnings import verdict_notices
 from viscodesign.checks.table_cover import input_notes
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Classification, Notice, Verdict, check_document
@@ -41,7 +42,7 @@ def check(scene: Scene) -> Check:
 
     Raises `SpecError` where the scene has no bounded solution.
     """
-    quantities = SceneQuantities(scene)
+    quantities = quantities_of(scene)
     refuse_beyond_numbers(quantities)
     selection = select_effects(quantities)
     verdicts, active = selection.verdicts, selection.active

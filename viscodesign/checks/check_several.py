@@ -16,27 +16,44 @@ from viscodesign.scene.several_scene import SeveralScene
 def check_several(scene: SeveralScene) -> Mapping[str, Check]:
     """Weigh every effect of every actuator, as `check` does of one.
 
+    Those that share fluid have the same check, that of the system that they are.
+
     Raises `SpecError` where an actuator has no bounded solution.
     """
     found: dict[str, Check] = {}
     for name, own in scene.scenes.items():
-        try:
-            one = check(own)
-        except SpecError as error:
-            raise error_of(name, error) from None
+        one = _checked(name, own)
         found[name] = replace(one, facts=(*_facts(scene, name), *one.facts))
-    return found
+    for joined in scene.joined:
+        names = tuple(joined.members)
+        one = _checked("+".join(names), joined)
+        told = f"{' and '.join(names)}: one system, with one set of effects"
+        found |= dict.fromkeys(names, replace(one, facts=(told, *one.facts)))
+    return {name: found[name] for name in scene.actuators}
+
+
+def _checked(name: str, scene: Scene) -> Check:
+    try:
+        return check(scene)
+    except SpecError as error:
+        raise error_of(name, error) from None
 
 
 def classify_several(scene: SeveralScene) -> Mapping[str, Classification]:
-    """Timescales and quadrant of every actuator, as `classify` tells of one."""
-    return {name: classify(own) for name, own in scene.scenes.items()}
+    """Timescales and quadrant of every actuator, as `classify` tells of one.
+
+    Those that share fluid have the same, of the system that they are.
+    """
+    found = {name: classify(own) for name, own in scene.scenes.items()}
+    for joined in scene.joined:
+        found |= dict.fromkeys(joined.members, classify(joined))
+    return {name: found[name] for name in scene.actuators}
 
 
 def classified(scene: Scene | SeveralScene) -> list[Classification]:
-    """Those of all actuators of a spec, which may be one."""
+    """Those of all actuators of a spec, which may be one; what shares fluid has one together."""
     if isinstance(scene, SeveralScene):
-        return list(classify_several(scene).values())
+        return list({id(own): own for own in classify_several(scene).values()}.values())
     return [classify(scene)]
 
 

@@ -8,6 +8,7 @@ from typing import Literal
 from viscodesign.checks.refusals import refuse_beyond_numbers
 from viscodesign.checks.scene_warnings import scene_notices
 from viscodesign.effects.select import select_effects
+from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics.timescales import cutoff_frequency
 from viscodesign.results.findings import Classification, Scales
@@ -28,7 +29,7 @@ def classify(scene: Scene) -> Classification:
 
     Raises `SpecError` where sizes lie beyond the range of numbers.
     """
-    quantities = SceneQuantities(scene)
+    quantities = quantities_of(scene)
     refuse_beyond_numbers(quantities)
     return classification(quantities, select_effects(quantities).active)
 

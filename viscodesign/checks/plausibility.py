@@ -50,6 +50,9 @@ def plausibility_notices(scene: Scene) -> Iterator[Notice]:
 
     A number that is warned about is left out of the comparisons with others.
     """
+    if scene.members:
+        yield from dict.fromkeys(_of_members(scene))
+        return
     told = {found.key: (found, value) for found, value in _outside(scene)}
     for found, value in told.values():
         yield unusual(found, value)
@@ -61,6 +64,17 @@ def plausibility_notices(scene: Scene) -> Iterator[Notice]:
     if not told.keys() & set(_SURROUNDINGS):
         yield from _bare_levels(scene)
     yield from _outputs(scene)
+
+
+def _of_members(scene: Scene) -> Iterator[Notice]:
+    """Warnings of each actuator that shares fluid, and of what drives all of them."""
+    for name, own in scene.members.items():
+        for notice in plausibility_notices(own):
+            is_own = notice.where.startswith((*BODY, "network."))
+            yield replace(notice, where=f"actuators.{name}.{notice.where}") if is_own else notice
+    for found, value in _outside(scene):
+        if found.key.startswith("input"):
+            yield unusual(found, value)
 
 
 def unusual(found: PlausibleRange, value: float) -> Notice:

@@ -24,7 +24,8 @@ def checked_several(scene: SeveralScene, lines: bool) -> SpecResult:
         "name": scene.name,
         "actuators": {name: own.document() for name, own in found.items()},
     }
-    told = [["", *check_lines(own)] for own in found.values()] if lines else []
+    distinct = {id(own): own for own in found.values()}.values()
+    told = [["", *check_lines(own)] for own in distinct] if lines else []
     return SpecResult(document, [line for own in told for line in own][1:])
 
 
@@ -62,13 +63,18 @@ def _lines(found: SeveralRuns, folder: Path) -> list[str]:
 
     lines = []
     for name, run in found.runs.items():
-        source = ", ".join(found.sources[name].values())
+        source = ", ".join(found.sources[name].values()) or "tubes"
         if (other := found.equal_to.get(name)) is not None:
             lines += [f"{name}, fed by {source}: equal to {other}, and solved with it", ""]
             continue
         own = folder / name
         files = sorted(own.iterdir()) if own.is_dir() else []
         lines += [f"{name}, fed by {source}", *summary_lines(run, own, files), ""]
+    for shared in found.coupled:
+        names = " and ".join(shared.actuators)
+        lines.append(
+            f"{names} share fluid: one system, whose error, effects and balances these are"
+        )
     for source, told in found.supplies().items():
         lines.append(
             f"{source} feeds {', '.join(told['feeds'])}: {1e6 * told['volume_swing_m3']:.3g} mL of "

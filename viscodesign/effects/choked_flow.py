@@ -175,7 +175,7 @@ class ChokedFlow(Effect):
         """Gas faster than it can be; else what the computed flows would lose, as for friction."""
         fastest, lost, scene = Peak(), Peak(), quantities.scene
         speed, loss = Sustained(quantities.filling_time), Sustained(quantities.filling_time)
-        way = motion.largest_displacement(quantities.body.length)
+        way = motion.largest_displacement(quantities.body.lengths)
         coefficient = np.array(list(self.coefficients.values()))
         for rows in blocks(len(motion.time), motion.time, motion.flow):
             time, flow = motion.time[rows], motion.flow[rows]

@@ -134,7 +134,8 @@ class Feedback(Effect):
         """Volume per resultant against strain per pressure: equal in a reciprocal coupling."""
         if quantities.scene.effects.mode(self.name) == "off":
             return
-        law, section = quantities.bellows, quantities.body.section_length
+        law = quantities.bellows
+        section = quantities.scene.sections.of_bellows(quantities.body.section_lengths)
         for strain, resultant, found in (
             (law.curvature_per_pressure * section, "moment", law.length * self.areas_per_moment),
             (law.stretch_per_pressure * section, "force", law.length * self.areas_per_force),

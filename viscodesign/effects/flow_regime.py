@@ -147,7 +147,7 @@ class FlowRegime(Effect):
             f"at the computed flows it would cost {lost.value:.3g} Pa, {share:.2g} times the "
             "largest pressure"
         )
-        way = motion.largest_displacement(quantities.body.length)
+        way = motion.largest_displacement(quantities.body.lengths)
         return Missed(reason, min(share, 1.0) * way, lost.time_s)
 
     def _ends(self, radius: float) -> float:

@@ -120,7 +120,7 @@ class GasCompressibility(Effect):
         self, quantities: SceneQuantities, problem: Problem, motion: Motion
     ) -> Missed | None:
         """Gas that goes too fast to be taken as incompressible."""
-        fastest, way = Peak(), motion.largest_displacement(quantities.body.length)
+        fastest, way = Peak(), motion.largest_displacement(quantities.body.lengths)
         sustained = Sustained(quantities.filling_time)
         for rows in blocks(len(motion.time), motion.time, motion.flow):
             time = motion.time[rows]

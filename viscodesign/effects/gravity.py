@@ -14,7 +14,7 @@ from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.system import System
+from viscodesign.model.system import System, rod_endings
 
 
 @dataclass(frozen=True)
@@ -28,16 +28,18 @@ class Gravity(Effect):
     source: ClassVar[str] = "The paper, equation (4), as a distributed load."
     keys: ClassVar[tuple[str, ...]] = ("loads.gravity",)
 
-    acceleration: float
-    tilt: float
+    pulls: tuple[tuple[float, float], ...]
+    """Acceleration [m/s2] and tilt [rad] of every rod."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        gravity = quantities.scene.loads.gravity
-        return cls(0.0, 0.0) if gravity is None else cls(gravity.acceleration, gravity.tilt)
+        each = (loads.gravity for loads in quantities.scene.loads_of_rods)
+        return cls(
+            tuple((0.0, 0.0) if own is None else (own.acceleration, own.tilt) for own in each)
+        )
 
     def present(self, quantities: SceneQuantities) -> bool:
-        return self.acceleration != 0.0
+        return any(acceleration != 0.0 for acceleration, _ in self.pulls)
 
     def weight(self, quantities: SceneQuantities) -> float:
         return quantities.weight / quantities.bending_force
@@ -45,11 +47,13 @@ class Gravity(Effect):
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
             return "loads.gravity is off"
-        return f"the weight acts at {math.degrees(self.tilt):.3g} deg from the clamped axis"
+        tilts = " and ".join(dict.fromkeys(f"{math.degrees(t):.3g}" for a, t in self.pulls if a))
+        return f"the weight acts at {tilts} deg from the clamped axis"
 
     def estimate_term(self) -> EstimateTerm:
-        down = (math.sin(self.tilt), math.cos(self.tilt))
-        return EstimateTerm(acceleration=(self.acceleration * down[0], self.acceleration * down[1]))
+        acceleration, tilt = self.pulls[0]
+        down = (math.sin(tilt), math.cos(tilt))
+        return EstimateTerm(acceleration=(acceleration * down[0], acceleration * down[1]))
 
     def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
         return load_faults(quantities, quantities.weight, "loads.gravity")
@@ -63,8 +67,9 @@ class Gravity(Effect):
         )
 
     def join(self, system: System) -> None:
-        acceleration = system.parameter("gravity.acceleration", self.acceleration)
-        tilt = system.parameter("gravity.tilt", self.tilt)
-        down = ca.vertcat(ca.sin(tilt), ca.cos(tilt))
-        for point in system.rod.masses():
-            system.load_potential -= point.mass * acceleration * ca.dot(down, point.position)
+        for rod, own, end in zip(system.rod.rods, self.pulls, rod_endings(system), strict=True):
+            acceleration = system.parameter(f"gravity.acceleration{end}", own[0])
+            tilt = system.parameter(f"gravity.tilt{end}", own[1])
+            down = ca.vertcat(ca.sin(tilt), ca.cos(tilt))
+            for point in rod.masses():
+                system.load_potential -= point.mass * acceleration * ca.dot(down, point.position)

@@ -73,18 +73,19 @@ class MaterialCurve(Effect):
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        scene, section = quantities.scene, quantities.body.section_length
+        scene = quantities.scene
+        section = scene.sections.of_bellows(quantities.body.section_lengths)
         curves, length = scene.bellows.curves, quantities.bellows.length
         if not curves:
             return cls(())
         moved, snap = moving_bellows(scene), snaps(scene.bellows)
-        count = max(len(curves), np.size(length), np.size(moved))
-        lengths, moves = (own * np.ones(count) for own in (length, moved))
+        count = max(len(curves), *map(np.size, (length, moved, section)))
+        lengths, moves, sections = (own * np.ones(count) for own in (length, moved, section))
         each = curves * (count // len(curves))
         laws: list[PressureCurves | SnapCurves] = []
-        for curve, own, moves_section in zip(each, lengths, moves, strict=True):
+        for curve, own, moves_section, reach in zip(each, lengths, moves, sections, strict=True):
             # Pressures that strain no section are spread over an endless one.
-            spread = section / moves_section if moves_section else np.inf
+            spread = reach / moves_section if moves_section else np.inf
             rows = np.array(curve.rows, dtype=float)
             if snap:
                 laws.append(SnapCurves.through(rows, own, spread, scene.gauge_pressure))

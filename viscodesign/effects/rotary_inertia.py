@@ -41,10 +41,9 @@ class RotaryInertia(Effect):
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
         height = quantities.scene.sections.each("height")
-        varied, gyration = quantities.body.varied, height / math.sqrt(12)
-        mass = quantities.body.mass_per_length if varied is None else varied.mass_per_length
+        gyration = height / math.sqrt(12)
         largest = gyration if not isinstance(gyration, np.ndarray) else np.max(gyration)
-        return cls(largest, mass * gyration**2)
+        return cls(largest, quantities.body.masses_per_length * gyration**2)
 
     def weight(self, quantities: SceneQuantities) -> float:
         slender = (self.gyration / quantities.body.length) ** 2

@@ -77,7 +77,9 @@ class TipDisplacements:
 
     @property
     def _is_too_large(self) -> bool:
-        return len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
+        """Also where there are several rods, of which an estimate knows none."""
+        is_large = len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
+        return is_large or bool(self._quantities.body.members)
 
     def _of(self, names: Names) -> MotionEstimate:
         """The estimate with these effects."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar, Self
+from typing import ClassVar, NamedTuple, Self
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.load_limit import load_faults
@@ -11,7 +11,15 @@ from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.system import System
+from viscodesign.model.system import System, rod_endings
+
+
+class TipLoads(NamedTuple):
+    """What acts on one tip: a force [N] and a payload [kg]."""
+
+    force_x: float
+    force_z: float
+    payload: float
 
 
 @dataclass(frozen=True)
@@ -31,41 +39,49 @@ class TipLoad(Effect):
     validity: ClassVar[str] = "A force of constant direction; a payload that is a point mass."
     keys: ClassVar[tuple[str, ...]] = ("loads.tip_force", "loads.payload")
 
-    force_x: float
-    force_z: float
-    payload: float
+    loads: tuple[TipLoads, ...]
+    """Loads of every rod."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        loads = quantities.scene.loads
-        return cls(loads.tip_force.x, loads.tip_force.z, loads.payload)
+        each = quantities.scene.loads_of_rods
+        return cls(tuple(TipLoads(o.tip_force.x, o.tip_force.z, o.payload) for o in each))
 
     def present(self, quantities: SceneQuantities) -> bool:
-        return (self.force_x, self.force_z, self.payload) != (0.0, 0.0, 0.0)
+        return any(own != (0.0, 0.0, 0.0) for own in self.loads)
 
     def indispensable(self, quantities: SceneQuantities) -> bool:
         return True  # a stated load is carried, however small, unless the spec leaves it out
 
     def weight(self, quantities: SceneQuantities) -> float:
-        carried = self.payload * quantities.acceleration
+        carried = self.largest_payload * quantities.acceleration
         return (quantities.tip_force + carried) / quantities.bending_force
 
     def reason(self, quantities: SceneQuantities) -> str:
         if not self.present(quantities):
             return "the tip is free"
-        return f"{quantities.tip_force:.3g} N and {1000 * self.payload:.3g} g act at the tip"
+        return (
+            f"{quantities.tip_force:.3g} N and {1000 * self.largest_payload:.3g} g act at the tip"
+        )
 
     def estimate_term(self) -> EstimateTerm:
-        return EstimateTerm(tip_force=(self.force_x, self.force_z), tip_mass=self.payload)
+        x, z, payload = self.loads[0]
+        return EstimateTerm(tip_force=(x, z), tip_mass=payload)
+
+    @property
+    def largest_payload(self) -> float:
+        """[kg]"""
+        return max(own.payload for own in self.loads)
 
     def numeric_faults(self, quantities: SceneQuantities) -> Iterator[Fault]:
         return load_faults(quantities, quantities.tip_force, "loads.tip_force")
 
     def join(self, system: System) -> None:
-        if self.payload:
-            system.rod.add_tip_mass(system.parameter("payload", self.payload))
-        if abs(self.force_x) + abs(self.force_z):
-            x = system.parameter("tip_force.x", self.force_x)
-            z = system.parameter("tip_force.z", self.force_z)
-            tip = system.rod.tip
-            system.load_potential -= x * tip[0] + z * tip[1]
+        for rod, own, end in zip(system.rod.rods, self.loads, rod_endings(system), strict=True):
+            if own.payload:
+                rod.add_tip_mass(system.parameter(f"payload{end}", own.payload))
+            if abs(own.force_x) + abs(own.force_z):
+                x = system.parameter(f"tip_force.x{end}", own.force_x)
+                z = system.parameter(f"tip_force.z{end}", own.force_z)
+                tip = rod.tip
+                system.load_potential -= x * tip[0] + z * tip[1]

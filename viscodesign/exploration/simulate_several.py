@@ -1,4 +1,4 @@
-"""Several actuators side by side: each distinct one is solved once."""
+"""Several actuators side by side: each distinct one is solved once, what shares fluid as one."""
 
 from __future__ import annotations
 
@@ -9,12 +9,16 @@ from pathlib import Path
 from viscodesign._version import __version__
 from viscodesign.errors import SolveError, UsageError, described
 from viscodesign.exploration.simulate import simulate
+from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.several_runs import SeveralRuns
 from viscodesign.results.trajectory import RunInterruptedError, Trajectory
+from viscodesign.scene.fluid_links import LinkedGroup
+from viscodesign.scene.joined_scene import JoinedScene
 from viscodesign.scene.reading.write import part_yaml, resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.several_scene import SeveralScene
 from viscodesign.scene.spec_part import copied
+from viscodesign.simulation.member_runs import coupled_motion, member_runs, told_of
 from viscodesign.simulation.solve_once import Progress
 
 
@@ -29,10 +33,10 @@ def simulate_several(
 ) -> SeveralRuns:
     """Compute the motions of several actuators, each as `simulate` does.
 
-    They share inputs of given pressure alone, so that what happens in one changes nothing in the
-    others: equal ones are solved once. Arguments as of `simulate`. An actuator whose solution
-    does not even begin is among ``failures``, and the others go on; Ctrl-C leaves out what is
-    not done.
+    Those that share inputs of given pressure alone change nothing in each other: equal ones are
+    solved once. Those that share fluid are solved as one system, with one set of effects and one
+    error. Arguments as of `simulate`. An actuator whose solution does not even begin is among
+    ``failures``, and the others go on; Ctrl-C leaves out what is not done.
 
     Raises `SpecError` where an actuator has no bounded solution.
     """
@@ -42,40 +46,54 @@ def simulate_several(
             f"expected several actuators, such as load_several('legs.yaml') gives; got {given}"
         )
     equal_to = equal_actuators(scene)
-    solved = [name for name in scene.scenes if name not in equal_to]
+    alone = [name for name in scene.scenes if name not in equal_to]
+    groups = zip(scene.groups, scene.joined, strict=True)
+    parts: list[tuple[tuple[str, ...], Scene, LinkedGroup | None]] = [
+        *(((name,), scene.scenes[name], None) for name in alone),
+        *((group.names, joined, group) for group, joined in groups),
+    ]
     runs: dict[str, Trajectory] = {}
     failures: dict[str, str] = {}
+    coupled: list[CoupledMotion] = []
     stopped = False
-    for k, name in enumerate(solved):
+    for k, (names, own, group) in enumerate(parts):
+        run: Trajectory | None
         try:
-            runs[name] = simulate(
-                scene.scenes[name],
+            run = simulate(
+                own,
                 verify=verify,
                 prove=prove,
                 uncertainty=uncertainty,
-                progress=_part(progress, k, len(solved)),
+                progress=_part(progress, k, len(parts)),
                 scratch=scratch,
             )
         except SolveError as error:
-            failures[name] = str(error)
+            failures |= dict.fromkeys(names, told_of(own, str(error)))
+            continue
         except RunInterruptedError as error:
-            stopped = True
-            if error.trajectory is not None:
-                runs[name] = error.trajectory
+            stopped, run = True, error.trajectory
+        if run is not None and group is not None:
+            assert isinstance(own, JoinedScene)
+            runs |= member_runs(scene, own, run)
+            coupled.append(coupled_motion(group, own, run))
+        elif run is not None:
+            runs[names[0]] = run
+        if stopped:
             break
     for name, other in equal_to.items():
         if other in runs:
             runs[name] = _renamed(runs[other], scene.scenes[name])
         elif other in failures:
             failures[name] = failures[other]
-    left = tuple(n for n in scene.scenes if stopped and n not in runs and n not in failures)
+    left = tuple(n for n in scene.actuators if stopped and n not in runs and n not in failures)
     return SeveralRuns(
         name=scene.name,
-        runs={name: runs[name] for name in scene.scenes if name in runs},
+        runs={name: runs[name] for name in scene.actuators if name in runs},
         equal_to={name: other for name, other in equal_to.items() if name in runs},
-        sources={name: scene.sources_of(name) for name in scene.scenes},
+        sources={name: scene.sources_of(name) for name in scene.actuators},
         failures=failures,
         interrupted=left,
+        coupled=tuple(coupled),
         spec_text=part_yaml(scene),
         spec_sha256=scene.source.sha256,
         version=__version__,

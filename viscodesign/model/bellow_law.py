@@ -53,12 +53,14 @@ class BellowPlace:
 
 def places(graph: Graph) -> dict[str, BellowPlace]:
     """Section and side of every bellow, by name."""
+    count = graph.sections
     return {
-        name: BellowPlace(int(name[1:]) - 1, 1.0 if name[0] == "L" else -1.0)
-        for name in graph.bellows
+        name: BellowPlace(k % count, -1.0 if k < count else 1.0)
+        for k, name in enumerate(graph.bellows)
     }
 
 
 def in_pairs(graph: Graph, values: dict[str, SX]) -> list[tuple[SX, SX]]:
     """Values (left, right) of every section, clamp first."""
-    return [(values[f"L{j + 1}"], values[f"R{j + 1}"]) for j in range(graph.sections)]
+    right, left = graph.bellows[: graph.sections], graph.bellows[graph.sections :]
+    return [(values[own], values[other]) for own, other in zip(left, right, strict=True)]

@@ -59,7 +59,8 @@ class ChainSymbols(RodSymbols):
         self._soften(parameters.softness)
         self.intrinsic_curvature = SX.sym("intrinsic_curvature", body.sections)
         self.intrinsic_stretch = SX.sym("intrinsic_stretch", body.sections)
-        self.tip_moment = SX.sym("tip_moment")
+        moment = parameters.tip_moment
+        self.tip_moment = SX.sym("tip_moment") if moment is None else moment
         mass = parameters.mass_per_length
         self._masses: list[PointMass] = []
         if mass.is_scalar():

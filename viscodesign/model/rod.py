@@ -21,7 +21,7 @@ A rod that no load bends consists of circular arcs and needs no discretisation a
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from typing import Self
 
@@ -60,11 +60,35 @@ class Body:
     varied: SectionNumbers | None = None
     """Numbers of every section, where they differ; those above then are of a uniform
     body that is as soft and as heavy as a whole."""
+    members: tuple[Body, ...] = ()
+    """Several bodies side by side, whose sections are counted in a row; the numbers above
+    then are of one that stands for all. Empty for a single one."""
 
     @property
     def section_length(self) -> float:
-        """Reference length of one section [m]."""
+        """Reference length of one section of a single body [m]."""
         return self.length / self.sections
+
+    @property
+    def section_lengths(self) -> Numbers:
+        """Reference length of a section, one for all or of each (S,) [m]."""
+        if not self.members:
+            return self.section_length
+        each = [np.full(own.sections, own.section_length) for own in self.members]
+        return np.concatenate(each)
+
+    @property
+    def masses_per_length(self) -> Numbers:
+        """Mass per length, one for all sections or of each (S,) [kg/m]."""
+        if self.members:
+            each = [own.masses_per_length * np.ones(own.sections) for own in self.members]
+            return np.concatenate(each)
+        return self.mass_per_length if self.varied is None else self.varied.mass_per_length
+
+    @property
+    def lengths(self) -> list[float]:
+        """Lengths of all bodies [m]."""
+        return [own.length for own in self.members or (self,)]
 
 
 @dataclass(frozen=True)
@@ -89,6 +113,10 @@ class RodParameters:
     """None where cross sections stay perpendicular to the axis; one or (S,) [N]."""
     softness: Softness | None = None
     """None where the stiffnesses are the same in all sections."""
+    tip_moment: SX | None = None
+    """Moment at the tip where it is known [N m]; None: a symbol of its own."""
+    members: tuple[RodParameters, ...] = ()
+    """Parameters of every rod where there are several; the others then are typical ones."""
 
 
 @dataclass(frozen=True)
@@ -113,13 +141,18 @@ class RodSymbols(ABC):
     """Unknowns of a mixed method that the shape determines (m,); empty where there are none."""
     coordinate_size: SX
     section_length: SX
-    """Reference length of a section, as the mesh sums it up [m]."""
+    """Reference length of a section, as the mesh sums it up; of several rods (S,) [m]."""
     intrinsic_curvature: SX
     """Intrinsic curvature of every section, as symbols (S,) [1/m]."""
     intrinsic_stretch: SX
     """Intrinsic stretch of every section, as symbols (S,) [1]."""
     tip_moment: SX
     """Moment applied at the tip, a symbol [N m]."""
+
+    @property
+    def rods(self) -> Sequence[RodSymbols]:
+        """Each rod by itself, where there are several; else this one."""
+        return (self,)
 
     @property
     def section_angles(self) -> SX:
@@ -210,6 +243,8 @@ class RodSymbols(ABC):
 
 Values = Mapping[str, np.ndarray]
 """Named outputs, each (T, n)."""
+ROD_VALUES = ("position", "angle", "stretch", "shear_angle")
+"""Names of those that rods have, as far as they do."""
 
 
 @dataclass(frozen=True)
@@ -241,6 +276,10 @@ class RodDiscretisation(ABC):
 
         ``curvature`` (S,) [1/m per reference length], ``stretch`` (S,) total stretch [1].
         """
+
+    def rods(self, values: Values) -> list[tuple[RodDiscretisation, Values]]:
+        """Each rod by itself with its named outputs, where there are several; else this one."""
+        return [(self, values)]
 
     @abstractmethod
     def section_strains(self, values: Values) -> tuple[np.ndarray, np.ndarray]:

@@ -9,6 +9,7 @@ from enum import Enum
 import casadi as ca
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.bellow_law import places
 from viscodesign.model.contact_point import contact_forces, contact_paths
 from viscodesign.model.sums import GradientRows, Rows, total, whole
 from viscodesign.model.system import System
@@ -212,9 +213,17 @@ class RodEquations:
             slope = ca.diag(ca.jacobian(system.swelling_defects(), own))
             slope = ca.repmat(_nonzero_slope(slope, system).T, system.graph.sections, 1)
             bending, extension = bending / slope, extension / slope
-        return self.rod.section_length * (
+        return self._length_at_bellows() * (
             bending.T @ ca.vertcat(*system.moment) + extension.T @ ca.vertcat(*system.normal_force)
         )
+
+    def _length_at_bellows(self) -> SX:
+        """Length of every bellow's section, one for all or (B,) along the tubes [m]."""
+        length = self.rod.section_length
+        if length.is_scalar():
+            return length
+        place = places(self.system.graph)
+        return ca.vertcat(*(length[place[name].section] for name in self.system.wall_argument))
 
     # -- balances -------------------------------------------------------------
 

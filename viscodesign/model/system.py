@@ -53,6 +53,12 @@ class InletSource:
     syringe: SyringeParameters | None = None
 
 
+def rod_endings(system: System) -> list[str]:
+    """What the names of a rod's own parameters end with: nothing for a single one."""
+    count = len(system.rod.rods)
+    return [f".{k + 1}" for k in range(count)] if count > 1 else [""]
+
+
 class System:
     """Symbols and sums of one coupled model; `formulate` turns it into equations.
 
@@ -189,20 +195,28 @@ class System:
 
     # -- the rod --------------------------------------------------------------
 
-    def _parameters_of(self, body: Body) -> RodParameters:
-        bending = self.parameter("bending_stiffness", body.bending_stiffness)
-        extension = self.parameter("extension_stiffness", body.extension_stiffness)
-        section = self.parameter("section_length", body.section_length)
+    def _parameters_of(self, body: Body, rod: str = "") -> RodParameters:
+        """``rod``: what the names of one of several end with."""
+        bending = self.parameter(f"bending_stiffness{rod}", body.bending_stiffness)
+        extension = self.parameter(f"extension_stiffness{rod}", body.extension_stiffness)
+        section = self.parameter(f"section_length{rod}", body.section_length)
         own = body.varied
-        mass = self.parameter("mass_per_length", body.mass_per_length)
+        mass = self.parameter(f"mass_per_length{rod}", body.mass_per_length)
+        if body.members:
+            each = enumerate(body.members, start=1)
+            members = tuple(self._parameters_of(member, f".{k}") for k, member in each)
+            return RodParameters(bending, extension, section, mass, self.length, members=members)
         if own is None:
             return RodParameters(bending, extension, section, mass, self.length)
+        names = [str(j + 1) for j in range(body.sections)]
         softness = Softness(
-            bending / self.of_sections("section_bending_stiffness", own.bending_stiffness),
-            extension / self.of_sections("section_extension_stiffness", own.extension_stiffness),
+            bending
+            / self._several(f"section_bending_stiffness{rod}", own.bending_stiffness, names),
+            extension
+            / self._several(f"section_extension_stiffness{rod}", own.extension_stiffness, names),
         )
         if isinstance(own.mass_per_length, np.ndarray):
-            mass = self.of_sections("section_mass_per_length", own.mass_per_length)
+            mass = self._several(f"section_mass_per_length{rod}", own.mass_per_length, names)
         return RodParameters(bending, extension, section, mass, self.length, softness=softness)
 
     def let_shear(self, stiffness: SX) -> None:

@@ -10,6 +10,20 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import Solution
 
 
+def contents(outputs: Outputs) -> np.ndarray:
+    """Amount at every node beyond its filling (n, nodes) [m3 at ambient density].
+
+    Bellows, then junctions, then inlets, of which only barrels hold anything.
+    """
+    problem, equations = outputs.problem, outputs.problem.equations
+    beyond = outputs["stored"] - equations.filled_amounts
+    names = [*problem.bellows_along_tubes, *equations.storing]
+    held = dict(zip(names, beyond.T, strict=True))
+    nothing = np.zeros(len(beyond))
+    nodes = (*problem.bellows, *problem.junctions, *problem.inlets)
+    return np.column_stack([held.get(name, nothing) for name in nodes])
+
+
 class DeliveredVolume:
     """Amounts since the network was filled at the baseline, unloaded [m3 at ambient density].
 

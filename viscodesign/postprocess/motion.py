@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.postprocess.conservation import Ledger
-from viscodesign.postprocess.inlet_supply import DeliveredVolume
+from viscodesign.postprocess.inlet_supply import DeliveredVolume, contents
 from viscodesign.postprocess.outputs import Outputs, read_outputs
 from viscodesign.postprocess.solved_edges import SolvedEdges
 from viscodesign.postprocess.terminations import first_termination
@@ -50,10 +50,10 @@ class Motion(MotionArrays):
         """Errors of the balances."""
         return self.balances()
 
-    def largest_displacement(self, length: float) -> float:
-        """Largest distance of the tip from that of the straight rod of a length [m]."""
-        blocks_of_tip = (self.tip[rows, :2] for rows in blocks(len(self.tip), self.tip))
-        return max(float(np.max(np.hypot(tip[:, 0], tip[:, 1] - length))) for tip in blocks_of_tip)
+    def largest_displacement(self, lengths: Sequence[float]) -> float:
+        """Largest distance of a tip from that of the straight rod of its length [m]."""
+        each = (self.tips(rows) for rows in blocks(len(self.tip), self.tip))
+        return max(float(np.max(np.hypot(t[..., 0], t[..., 1] - lengths))) for t in each)
 
 
 def read_motion(
@@ -94,8 +94,8 @@ class _MotionReader:
         self._tables: dict[str, GrowingArray] = {}
         self._between: dict[str, GrowingArray] = {}
         self._last_shape: np.ndarray | None = None
-        self._points = 0
-        """Number of points of a shape."""
+        self._arc = np.zeros(0)
+        """Arc length of the points of a shape (K,) [m]."""
         self._rest: Callable[[], None] | None = None
         """What waits until it is asked for."""
 
@@ -134,10 +134,12 @@ class _MotionReader:
             "section_stretch": stretch[keep],
             "section_turn": turn[keep],
         }
+        if self._problem.body.members:
+            rows["content"] = contents(outputs)[keep]
         for name, values in rows.items():
             self._append(self._tables, name, values)
         self._add_between(outputs, end)
-        self._points = outputs.shapes(keep[:1])[0].shape[1]
+        self._arc = outputs.arc()
         due = (np.arange(self.count, stop) % self._every) == 0
         self.count = stop
         if self._is_whole(outputs):
@@ -147,7 +149,7 @@ class _MotionReader:
 
     def _add_rest(self, outputs: Outputs, end: int, keep: np.ndarray, due: np.ndarray) -> None:
         """Shapes and balances, which take longest and of a coarser solution are not looked at."""
-        shape, _ = outputs.shapes(keep)
+        shape = outputs.shapes(keep)
         self._append(self._tables, "shape", shape[due])
         if end > outputs.begin:
             self._ledger.add(self._block(outputs, end))
@@ -204,7 +206,7 @@ class _MotionReader:
         arrays = {name: table.array() for name, table in self._tables.items() if name != "shape"}
         found = Motion(
             arrays=DeferredArrays(arrays, "shape", self._shapes),
-            arc=np.linspace(0.0, self._problem.body.length, self._points),
+            arc=self._arc,
             shape_every=self._every,
             balances=self._invariants,
             failure=self.failure,

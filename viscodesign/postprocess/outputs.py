@@ -9,6 +9,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.network_equations import NetworkForm
+from viscodesign.model.rod import ROD_VALUES
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.spline_rates import spline_rates
 from viscodesign.solve.algebraic_polish import polish
@@ -22,6 +23,10 @@ MARGIN_EDGES = 64
 """Edges read on either side of a block: rates of splines do not depend on what is farther."""
 BLOCK_NUMBERS = 2_000_000
 """Numbers that are read at once, about."""
+
+
+ROD_OUTPUTS = ("intrinsic_curvature", "intrinsic_stretch", *ROD_VALUES)
+"""Outputs from which the shapes of rods are read."""
 
 
 @dataclass(frozen=True)
@@ -51,30 +56,45 @@ class Outputs:
         """Smallest stretch and turn of every section (n, S)."""
         return section_strains(self.problem, self.values)
 
-    def shapes(self, keep: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Axis (T, K, 2) from the clamp on, and angle of the tip (T,), at some rows (T,)."""
-        body = self.problem.body
-        if self.problem.equations.rod_form is RodForm.ARCS:
-            points = -(-SHAPE_POINTS // body.sections)
-            nodes, angles = arc_nodes(
-                self["intrinsic_curvature"][keep],
-                1 + self["intrinsic_stretch"][keep],
-                body.section_length,
-                points,
-            )
-            tip_angle = angles[:, -1]
-        else:
-            own = {name: values[keep] for name, values in self.values.items()}
-            nodes, tip_angle = self.problem.rod.axis(own, SHAPE_POINTS)
-        clamp = np.zeros((len(keep), 1, 2))
-        return np.concatenate([clamp, nodes], axis=1), tip_angle
+    def shapes(self, keep: np.ndarray) -> np.ndarray:
+        """Axis (T, K, 2) from the clamp on, at some rows (T,); of several rods one by one."""
+        return np.concatenate([shape for shape, _ in self._axes(keep)], axis=1)
+
+    def arc(self) -> np.ndarray:
+        """Reference arc length (K,) of the points of a shape from the clamp of its rod [m]."""
+        counts = [shape.shape[1] for shape, _ in self._axes(np.arange(1))]
+        lengths = zip(self.problem.body.lengths, counts, strict=True)
+        return np.concatenate([np.linspace(0.0, length, count) for length, count in lengths])
 
     def tips(self, keep: np.ndarray) -> np.ndarray:
-        """x, z and angle of the tip (T, 3) at some rows (T,): the ends of the shapes."""
+        """x, z and angle of the tips (T, 3 rods) at some rows (T,): the ends of the shapes."""
         if self.problem.equations.rod_form is RodForm.ARCS:
-            shape, angle = self.shapes(keep)
-            return np.column_stack((shape[:, -1], angle))
-        return np.column_stack((self["position"][keep, -2:], self["angle"][keep, -1]))
+            ends = [np.column_stack((shape[:, -1], angle)) for shape, angle in self._axes(keep)]
+            return np.column_stack(ends)
+        own = {name: self[name][keep] for name in self.values if name in ROD_OUTPUTS}
+        ends = [
+            np.column_stack((values["position"][:, -2:], values["angle"][:, -1]))
+            for _, values in self.problem.rod.rods(own)
+        ]
+        return np.column_stack(ends)
+
+    def _axes(self, keep: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Axis (T, K, 2) and angle of the tip (T,) of every rod."""
+        own = {name: values[keep] for name, values in self.values.items() if name in ROD_OUTPUTS}
+        clamp, found = np.zeros((len(keep), 1, 2)), []
+        for rod, values in self.problem.rod.rods(own):
+            if self.problem.equations.rod_form is RodForm.ARCS:
+                nodes, angles = arc_nodes(
+                    values["intrinsic_curvature"],
+                    1 + values["intrinsic_stretch"],
+                    rod.body.section_length,
+                    -(-SHAPE_POINTS // rod.body.sections),
+                )
+                angle = angles[:, -1]
+            else:
+                nodes, angle = rod.axis(values, SHAPE_POINTS)
+            found.append((np.concatenate([clamp, nodes], axis=1), angle))
+        return found
 
     def flows(self) -> np.ndarray:
         """Tube flows (n, Q); with one pressure per network, those that volume changes require."""

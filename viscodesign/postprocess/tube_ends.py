@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.model.graph import Graph
-from viscodesign.postprocess.motion import Motion
+from viscodesign.results.motion_arrays import MotionArrays
 
 
 def end_pressures(
-    graph: Graph, motion: Motion, inlets: tuple[str, ...], rows: slice
+    graph: Graph, motion: MotionArrays, inlets: tuple[str, ...], rows: slice
 ) -> tuple[np.ndarray, np.ndarray]:
     """Gauge pressures of the nodes at each tube's start and end in some outputs (T, Q) [Pa]."""
     columns = {

@@ -74,7 +74,7 @@ def _stretched(peak: Peak) -> Notice:
 
 
 def _self_contact(quantities: SceneQuantities) -> Limit:
-    section, height = quantities.body.section_length, quantities.scene.sections.each("height")
+    section, height = quantities.body.section_lengths, quantities.scene.sections.each("height")
 
     def inner_fibre(block: MotionBlock) -> np.ndarray:
         length = block.section_stretch * section

@@ -60,8 +60,12 @@ class MotionArrays:
 
     @property
     def tip(self) -> np.ndarray:
-        """(T, 3): x [m], z [m], angle from +z [rad], never wrapped."""
+        """(T, 3): x [m], z [m], angle from +z [rad], never wrapped; of several rods in a row."""
         return self["tip"]
+
+    def tips(self, rows: slice) -> np.ndarray:
+        """x and z of every rod's tip (T, rods, 2) [m] at some of the times."""
+        return np.asarray(self.tip[rows].reshape(len(self.tip[rows]), -1, 3)[..., :2])
 
     @property
     def pressure(self) -> np.ndarray:

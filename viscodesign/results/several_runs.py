@@ -12,6 +12,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.lazy_names import module_above
 from viscodesign.results.channels import trajectory_columns
+from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -23,7 +24,10 @@ TIME = "time_s"
 
 @dataclass(frozen=True)
 class SeveralRuns:
-    """The motions of actuators that share no fluid: each has its effects and its error."""
+    """The motions of several actuators, each with its effects and its error.
+
+    Of those that share fluid these are the same: they are one system.
+    """
 
     name: str
     """That of the scene."""
@@ -43,6 +47,8 @@ class SeveralRuns:
     """SHA-256 of the spec's file as it was read, without overrides."""
     version: str
     """Version of this program."""
+    coupled: tuple[CoupledMotion, ...] = ()
+    """What actuators share that were solved as one system: one for each such system."""
 
     @property
     def status(self) -> Literal["complete", "failed", "interrupted"]:
@@ -67,16 +73,20 @@ class SeveralRuns:
     def table(self) -> tuple[list[str], np.ndarray]:
         """Columns and rows (T, n) of `trajectory.csv`: those of every actuator after its name.
 
-        Beyond the end of a run that ended early they are NaN.
+        What belongs to none of them comes last. Beyond the end of a run that ended early all are
+        NaN.
         """
         longest = max((run.time for run in self.runs.values()), key=len, default=np.zeros(0))
         names, columns = [TIME], [np.asarray(longest)[:, None]]
         for actuator, run in self.runs.items():
             own, values = trajectory_columns(run)
             names += [f"{actuator}.{column}" for column in own[1:]]
-            filled = np.full((len(longest), values.shape[1] - 1), np.nan)
-            filled[: len(values)] = values[:, 1:]
-            columns.append(filled)
+            columns.append(_filled(values[:, 1:], len(longest)))
+        for shared in self.coupled:
+            found = shared.columns()
+            names += list(found)
+            values = np.array(list(found.values())).reshape(len(found), len(shared.time)).T
+            columns.append(_filled(values, len(longest)))
         return names, np.column_stack(columns)
 
     def supply(self, source: str) -> tuple[np.ndarray, np.ndarray]:
@@ -85,12 +95,14 @@ class SeveralRuns:
         Times (T,) [s] that all of them have reached, and the volume (T,) at ambient density
         since all was filled at the baseline pressure, unloaded [m3].
         """
+        linked = {name for shared in self.coupled for name in shared.actuators}
         parts = [
             (run.time, run.inflow[inlet])
             for name, run in self.runs.items()
             for inlet, own in self.sources[name].items()
-            if own == source
+            if own == source and name not in linked
         ]
+        parts += [(s.time, s.inflow[source]) for s in self.coupled if source in s.inflow]
         both = min((len(time) for time, _ in parts), default=0)
         time = parts[0][0][:both] if parts else np.zeros(0)
         return np.asarray(time), np.sum([volume[:both] for _, volume in parts], axis=0)
@@ -98,8 +110,10 @@ class SeveralRuns:
     def supplies(self) -> dict[str, dict[str, Any]]:
         """What every input feeds, and the volume and the flow that it takes for that."""
         found: dict[str, dict[str, Any]] = {}
-        for source in dict.fromkeys(s for own in self.sources.values() for s in own.values()):
-            fed = [name for name in self.runs if source in self.sources[name].values()]
+        named = [s for own in self.sources.values() for s in own.values()]
+        for source in dict.fromkeys([*named, *(s for own in self.coupled for s in own.inflow)]):
+            through = {n for own in self.coupled if source in own.inflow for n in own.actuators}
+            fed = [n for n in self.runs if n in through or source in self.sources[n].values()]
             if not fed:
                 continue
             time, volume = self.supply(source)
@@ -136,6 +150,7 @@ class SeveralRuns:
                 for name, run in self.runs.items()
             },
             "sources": self.supplies(),
+            "share_fluid": [list(shared.actuators) for shared in self.coupled],
             "failures": dict(self.failures),
             "interrupted": list(self.interrupted),
         }
@@ -151,3 +166,10 @@ class SeveralRuns:
 
     def __repr__(self) -> str:
         return f"<SeveralRuns {self.name}: {self.status}, {', '.join(self.runs)}>"
+
+
+def _filled(values: np.ndarray, rows: int) -> np.ndarray:
+    """Values (T, n) with rows of NaN behind them (rows, n)."""
+    filled = np.full((rows, values.shape[1]), np.nan)
+    filled[: len(values)] = values
+    return filled

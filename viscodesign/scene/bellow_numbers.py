@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import fields
+
 import numpy as np
 
 from viscodesign.model.bellow_law import BellowLaws
@@ -12,6 +15,8 @@ from viscodesign.scene.scene import Scene
 
 def bellow_laws(scene: Scene) -> BellowLaws:
     """The linear laws of all bellows."""
+    if scene.members:
+        return _side_by_side([bellow_laws(own) for own in scene.members.values()], scene)
     b, own = scene.bellows, scene.sections
     section_length = scene.actuator.length / (b.count // 2)
     modulus, moved = own.of_bellows(own.each("youngs_modulus")), moving_bellows(scene)
@@ -26,6 +31,20 @@ def bellow_laws(scene: Scene) -> BellowLaws:
         * bellow.stretch_per_pressure(b.each("extension_per_pressure"), modulus, section_length),
         floor_volume=b.each("collapse_fraction") * rest,
     )
+
+
+def _side_by_side(laws: Sequence[BellowLaws], scene: Scene) -> BellowLaws:
+    """The laws of all bellows of actuators that share fluid: the right ones, then the left ones."""
+    counts = [own.bellows.count // 2 for own in scene.members.values()]
+
+    def of_all(name: str) -> np.ndarray:
+        each = [
+            np.broadcast_to(getattr(own, name), 2 * n).reshape(2, n)
+            for own, n in zip(laws, counts, strict=True)
+        ]
+        return np.concatenate(each, axis=1).ravel()
+
+    return BellowLaws(**{f.name: of_all(f.name) for f in fields(BellowLaws)})
 
 
 def moving_bellows(scene: Scene) -> Numbers:

@@ -8,12 +8,18 @@ import numpy as np
 
 from viscodesign.model.rod import Body, SectionNumbers
 from viscodesign.model.scene_number import Numbers, mean_of
+from viscodesign.model.several_rods import several_bodies
 from viscodesign.physics import beam
 from viscodesign.scene.scene import Scene
 
 
 def body_of(scene: Scene) -> Body:
-    """The actuator as a beam; where sections differ, with the numbers of each."""
+    """The actuator as a beam; where sections differ, with the numbers of each.
+
+    Of actuators that share fluid, all of them side by side.
+    """
+    if scene.members:
+        return several_bodies([body_of(own) for own in scene.members.values()])
     own, count = scene.sections, scene.bellows.count // 2
     modulus, height, width = (own.each(n) for n in ("youngs_modulus", "height", "width"))
     bending = beam.bending_stiffness(modulus, height, width, own.each("bending_factor"))
@@ -49,6 +55,12 @@ def section_stiffnesses(body: Body) -> tuple[Numbers, Numbers]:
 
     Zero where a section is blocked: there no strain by pressure pulls on it.
     """
+    if body.members:
+        each = [(own, *section_stiffnesses(own)) for own in body.members]
+        return (
+            np.concatenate([bending * np.ones(own.sections) for own, bending, _ in each]),
+            np.concatenate([extension * np.ones(own.sections) for own, _, extension in each]),
+        )
     if body.varied is None:
         return body.bending_stiffness, body.extension_stiffness
     both = body.varied.bending_stiffness, body.varied.extension_stiffness

@@ -189,6 +189,16 @@ class Scene(WholeSpec):
         return ReadOnlyDict({SINGLE_INLET: self.input} if self.input is not None else {})
 
     @property
+    def members(self) -> Mapping[str, Scene]:
+        """Each of several actuators that share fluid, by name; empty for a single one."""
+        return ReadOnlyDict({})
+
+    @property
+    def loads_of_rods(self) -> tuple[Loads, ...]:
+        """The loads of every actuator."""
+        return tuple(own.loads for own in self.members.values()) or (self.loads,)
+
+    @property
     def period(self) -> float | None:
         """Time after which all inputs repeat together [s]; None where they do not."""
         return common_period(self.inputs.values())

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import hashlib
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from viscodesign.errors import did_you_mean
-from viscodesign.scene.bellows import snaps
-from viscodesign.scene.fed_actuator import by_inlet, inherited
+from viscodesign.model.graph import bellow_names
+from viscodesign.scene.fed_actuator import INLET, by_inlet, inherited
+from viscodesign.scene.fluid_links import LinkedGroup, lost_nodes, reached_by_tubes
 from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.joined_scene import OF_ALL_TUBES
 from viscodesign.scene.network import TubeEntry
 from viscodesign.scene.network_faults import foreign_bellow
 from viscodesign.scene.several import ActuatorDesign, SameInput, unlike
@@ -18,15 +20,9 @@ from viscodesign.scene.spec_part import KeyFault
 if TYPE_CHECKING:
     from viscodesign.scene.several_scene import SeveralScene
 
-ADVICE = (
-    "Give the pressure instead, such as a recorded one (kind: table), or each actuator a syringe "
-    "of its own"
-)
-
-
-NOT_COUPLED = (
-    "tubes between actuators are not supported yet: they would make one coupled system of them. "
-    "Remove them, and feed each actuator by a source of its own network"
+ELSEWHERE = (
+    "a tube that leads to another actuator stands under the 'tubes' of the whole spec, where "
+    "nodes of actuators have their names before them"
 )
 
 
@@ -37,8 +33,6 @@ def tube_faults(tubes: Sequence[TubeEntry] | None, names: Collection[str]) -> It
             name, dot, _ = node.partition(".")
             if dot and name not in names:
                 yield KeyFault(("tubes", str(k)), _no_such_actuator(name, names))
-    if tubes is not None:
-        yield KeyFault(("tubes",), NOT_COUPLED)
 
 
 def own_tube_faults(actuators: Mapping[str, ActuatorDesign]) -> Iterator[KeyFault]:
@@ -59,7 +53,7 @@ def _elsewhere(own: str, node: str, names: Collection[str]) -> str:
     if name == own:
         return f"'{node}': nodes of its own network have no prefix; use '{within}'"
     if name in names:
-        return f"'{node}': {NOT_COUPLED}"
+        return f"'{node}': {ELSEWHERE}"
     is_meant = foreign_bellow(node) is not None or did_you_mean(name, names)
     return _no_such_actuator(name, names) if is_meant else ""
 
@@ -73,7 +67,8 @@ def source_faults(scene: SeveralScene) -> Iterator[KeyFault]:
     listed = ", ".join(scene.inputs)
     for name in scene.actuators:
         source, place = inherited(name, scene.actuators, "source"), ("actuators", name, "source")
-        if source is None and len(scene.inputs) > 1:
+        reached = name in reached_by_tubes(scene)
+        if source is None and len(scene.inputs) > 1 and not reached:
             yield KeyFault(place, f"missing; name the input that feeds it: {listed}")
         for key, given in by_inlet(source).items():
             if given not in scene.inputs:
@@ -95,34 +90,106 @@ def later_faults(inputs: Mapping[str, Any], sources: Mapping[str, Input]) -> Ite
             )
 
 
-def plunger_faults(scene: SeveralScene) -> Iterator[KeyFault]:
-    """A plunger couples what shares its volume, unless these are actuators that move alike."""
-    for name, source in scene.sources.items():
-        fed = scene.fed_by(name)
-        inlets = [own for one in fed for own in scene.sources_of(one).values() if own == name]
-        if source.gives_pressure or len(inlets) < 2:
-            continue
-        listed = ", ".join(fed)
-        if len(inlets) > len(fed):
-            why = f"it feeds several inlets of {listed}: its volume would couple their pressures"
-        elif source.shared_by(len(fed)) is None or len({_digest(scene, own) for own in fed}) > 1:
-            why = f"it feeds {listed}, which differ: its volume would couple them to one system"
-        elif any(_snaps(scene, own) for own in fed):
-            why = f"it feeds {listed}, whose bellows snap through, one actuator before another"
-        else:
-            continue
-        yield KeyFault(("inputs", name), f"{why}, which is not supported yet. {ADVICE}")
+def link_faults(scene: SeveralScene) -> Iterator[KeyFault]:
+    """Tubes between actuators whose ends or sizes cannot be."""
+    for k, tube in enumerate(scene.tubes or ()):
+        place = ("tubes", str(k))
+        if tube.start == tube.end:
+            yield KeyFault(
+                place, f"the tube joins {tube.start} to itself; give two different nodes"
+            )
+        for key in ("length", "radius"):
+            if getattr(tube, key) is None:
+                yield KeyFault(
+                    (*place, key),
+                    "missing; tubes between actuators have no default. Expected a length, such "
+                    "as '37.5 mm'",
+                )
+        ends = (tube.start, tube.end)
+        for node in ends:
+            yield from (KeyFault(place, why) for why in _node_faults(scene, node))
+        if all(node in scene.sources and scene.sources[node].gives_pressure for node in ends):
+            yield KeyFault(place, "it joins two inputs of given pressure, and feeds no actuator")
 
 
-def _digest(scene: SeveralScene, name: str) -> bytes:
-    """Equal for actuators that are equal in all but their names."""
-    design = unlike(scene.actuators)[name]
-    parts = (design.actuator, design.section_changes, design.bellows, design.network)
-    loads = inherited(name, scene.actuators, "loads")
-    whole = (parts, loads, sorted(scene.sources_of(name).items()))
-    return hashlib.sha256(repr(whole).encode()).digest()
+def lost_faults(scene: SeveralScene) -> Iterator[KeyFault]:
+    """Nodes between actuators that lead to none of them."""
+    if lost := lost_nodes(scene):
+        some = next(iter(scene.actuators))
+        yield KeyFault(
+            ("tubes",),
+            f"no actuator is connected to {', '.join(lost)}; lead a tube from there to a node of "
+            f"one, such as {some}.{INLET}, or remove what leads there",
+        )
 
 
-def _snaps(scene: SeveralScene, name: str) -> bool:
-    bellows = unlike(scene.actuators)[name].bellows
-    return bellows is not None and snaps(bellows)
+def _node_faults(scene: SeveralScene, node: str) -> Iterator[str]:
+    """What is wrong with the end of a tube between actuators."""
+    names = scene.actuators
+    name, dot, within = node.partition(".")
+    if not dot:
+        if node in names:
+            yield f"'{node}' is an actuator; name a node of it, such as '{node}.{INLET}'"
+        elif re.fullmatch(r"[RLrl]\d+", node):
+            own = next(iter(names))
+            yield f"'{node}' is a bellow of which actuator? Write it as '{own}.{node}'"
+        elif not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", node):
+            yield f"'{node}' is not a valid node name; use letters, digits, '_', a letter first"
+        return
+    if name not in names:
+        return  # told already
+    design = unlike(names)[name]
+    if design.bellows is None or design.network is None:
+        return
+    stated = inherited(name, names, "source") is not None
+    known = {*bellow_names(design.bellows.count // 2)}
+    known |= {end for tube in design.network.tubes or () for end in (tube.start, tube.end)}
+    known -= set(scene.sources_of(name))
+    known |= set() if stated else {INLET}
+    if within not in known:
+        fed = f"; its source feeds its {INLET}" if within == INLET and stated else ""
+        hint = did_you_mean(within, known) or f"; it has {', '.join(sorted(known)[:6])}, ..."
+        yield f"{name} has no node '{within}' for a tube{fed or hint}"
+
+
+def group_faults(scene: SeveralScene, group: LinkedGroup) -> Iterator[KeyFault]:
+    """What actuators that share fluid cannot have each of its own."""
+    designs = [own.design for own in group.actuators]
+    first, *others = (design.network for design in designs)
+    for name, network in zip(group.names[1:], others, strict=True):
+        for key in OF_ALL_TUBES:
+            if getattr(network, key) != getattr(first, key):
+                yield KeyFault(
+                    ("actuators", name, "network", key),
+                    f"differs from that of {group.names[0]}, with which it shares fluid; give "
+                    "both the same",
+                )
+    curved = [bool(design.bellows and design.bellows.curves) for design in designs]
+    if any(curved) and not all(curved):
+        name = group.names[curved.index(False)]
+        yield KeyFault(
+            ("actuators", name, "bellows", "curve"),
+            f"missing; {group.names[curved.index(True)]} has one, and they share fluid. Give all "
+            "of them a curve, or none",
+        )
+    if not group.inputs:
+        listed = ", ".join(scene.inputs)
+        yield KeyFault(
+            ("tubes",),
+            f"no input feeds {' and '.join(group.names)}; lead a tube from one ({listed}) to them, "
+            "or give one of them a source",
+        )
+    for name in group.names:
+        loads = inherited(name, scene.actuators, "loads") or scene.loads
+        if getattr(loads, "ground", None) is not None:
+            yield KeyFault(
+                ("actuators", name, "loads", "ground"),
+                "contact of actuators that share fluid is not supported yet; remove the ground, or "
+                "give each a source of its own",
+            )
+    if scene.uncertainty is not None:
+        yield KeyFault(
+            ("uncertainty",),
+            f"bands of actuators that share fluid ({', '.join(group.names)}) are not supported "
+            "yet; remove it",
+        )

@@ -1,12 +1,12 @@
-"""A spec of several actuators, each of which is a scene of its own.
+"""A spec of several actuators: those that share no fluid are scenes of their own.
 
 Inputs of given pressure couple nothing. A syringe that equal actuators share gives each of them an
-even part, since all of them move alike.
+even part, since all of them move alike. What tubes or other syringes join is one scene.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Literal
 
 from pydantic import (
@@ -18,10 +18,14 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from viscodesign.scene.alone import Alone, alone
+from viscodesign.scene.common_period import common_period
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fed_actuator import INLET, FedActuator, by_inlet, inherited
 from viscodesign.scene.fluid import Fluid
+from viscodesign.scene.fluid_links import LinkedGroup, linked_groups, reached_by_tubes
 from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.joined_scene import JoinedScene, joined_keys
 from viscodesign.scene.later_input import own_inputs
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import TubeEntry
@@ -35,9 +39,11 @@ from viscodesign.scene.scene import (
 )
 from viscodesign.scene.several import OwnOrSameInput, same_input_faults, unlike
 from viscodesign.scene.several_faults import (
+    group_faults,
     later_faults,
+    link_faults,
+    lost_faults,
     own_tube_faults,
-    plunger_faults,
     source_faults,
     tube_faults,
 )
@@ -58,6 +64,15 @@ SHARED = (
 """Keys of a scene that all actuators share, and whose fields are called the same."""
 
 
+NOTHING = {"kind": "constant", "value": 0.0}
+"""The input of an inlet whose pressure follows from the others: none yet."""
+
+
+def all_repeat(inputs: Iterable[Any]) -> bool:
+    """Whether all of these inputs repeat themselves together."""
+    return all(isinstance(own, Input) for own in inputs) and common_period(inputs) is not None
+
+
 class SeveralScene(WholeSpec):
     """A validated spec of several actuators, in SI units."""
 
@@ -65,7 +80,9 @@ class SeveralScene(WholeSpec):
     name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuators: dict[str, FedActuator] = Field(min_length=1, description="The actuators, by name")
     tubes: tuple[TubeEntry, ...] | None = Field(
-        None, description="Tubes between actuators: not supported yet"
+        None,
+        description="Tubes between actuators, inputs and junctions: {from: A, to: left.R1, length, "
+        "radius}",
     )
     fluid_choice: Fluid = Field(alias="fluid", description="A named fluid, or its properties")
     temperature: Temperature = Field(
@@ -143,21 +160,40 @@ class SeveralScene(WholeSpec):
         )
         found += source_faults(self)
         found += own_tube_faults(self.actuators)
+        found += link_faults(self)
+        found += [] if found else lost_faults(self)
         yield from found
         if not found:
-            yield from plunger_faults(self)
             yield from self._scene_faults()
 
     def _scene_faults(self) -> Iterator[KeyFault]:
         told: set[KeyFault] = set()
+        try:
+            linked = {name: group for group in self.groups for name in group.names}
+        except PydanticCustomError as error:  # of a network that has no graph
+            linked = {}
+            yield from faults_of(error)
         for name in self.actuators:
             try:
-                self._scene(name)
+                _ = self._scene(name) if name not in linked else self._alone_scene(name)
             except ValidationError as error:
                 for fault in self._own_faults(name, error):
                     if fault not in told:
                         told.add(fault)
                         yield fault
+        if not told:
+            yield from self._joined_faults()
+
+    def _joined_faults(self) -> Iterator[KeyFault]:
+        for group in self.groups:
+            faults = list(group_faults(self, group))
+            yield from faults
+            try:
+                _ = faults or self._joined(group)
+            except ValidationError as error:
+                for fault in self._own_faults(group.names[0], error):
+                    is_tube = fault.path[:2] == ("actuators", group.names[0])
+                    yield fault._replace(path=("tubes",)) if is_tube else fault
 
     def _own_faults(self, name: str, error: ValidationError) -> Iterator[KeyFault]:
         """The faults of an actuator's scene at the keys of this spec."""
@@ -182,8 +218,10 @@ class SeveralScene(WholeSpec):
         return ReadOnlyDict(own_inputs(self.inputs, self.run.duration))
 
     def sources_of(self, actuator: str) -> Mapping[str, str]:
-        """The input that feeds each inlet of an actuator."""
+        """The input that feeds each inlet of an actuator; none where tubes of others feed it."""
         source = inherited(actuator, self.actuators, "source")
+        if source is None and actuator in reached_by_tubes(self):
+            return {}
         return by_inlet(next(iter(self.inputs)) if source is None else source)
 
     def fed_by(self, name: str) -> list[str]:
@@ -192,8 +230,26 @@ class SeveralScene(WholeSpec):
 
     @cached_property
     def scenes(self) -> Mapping[str, Scene]:
-        """Each actuator by itself."""
-        return ReadOnlyDict({name: self._scene(name) for name in self.actuators})
+        """Each actuator by itself that shares no fluid with others."""
+        linked = {name for group in self.groups for name in group.names}
+        own = (name for name in self.actuators if name not in linked)
+        return ReadOnlyDict({name: self._scene(name) for name in own})
+
+    @cached_property
+    def groups(self) -> tuple[LinkedGroup, ...]:
+        """The actuators that share fluid, group by group."""
+        return tuple(linked_groups(self))
+
+    @cached_property
+    def joined(self) -> tuple[JoinedScene, ...]:
+        """What shares fluid, each group as one scene, in the same order."""
+        return tuple(self._joined(group) for group in self.groups)
+
+    @cached_property
+    def alone(self) -> Mapping[str, Alone]:
+        """The network of each actuator that shares fluid, by itself."""
+        each = ((group, own) for group in self.groups for own in group.actuators)
+        return ReadOnlyDict({own.name: alone(group, own) for group, own in each})
 
     def _share(self, name: str) -> Input:
         """What one actuator has of an input."""
@@ -201,21 +257,48 @@ class SeveralScene(WholeSpec):
         return source.shared_by(len(self.fed_by(name))) or source
 
     def _scene(self, name: str) -> Scene:
-        design, own = unlike(self.actuators)[name], self.sources_of(name)
-        loads = inherited(name, self.actuators, "loads")
+        own = self.sources_of(name)
         inputs = {inlet: self._share(source) for inlet, source in own.items()}
         driven = {"inputs": inputs} if tuple(own) != (INLET,) else {"input": inputs[INLET]}
-        return Scene.model_validate(
-            {
-                "name": f"{self.name}.{name}"[:100],
-                **({"spec": self.spec} if "spec" in self.model_fields_set else {}),
-                **{key: getattr(design, field) for key, field in OF_DESIGN.items()},
-                "fluid": self.fluid_choice,
-                "loads": self.loads if loads is None else loads,
-                **{key: getattr(self, key) for key in SHARED},
-                **driven,
-            }
-        ).with_source(self._source)
+        network = unlike(self.actuators)[name].network
+        return Scene.model_validate(self._keys(name, network) | driven).with_source(self._source)
+
+    def _keys(self, name: str, network: Any) -> dict[str, Any]:
+        """The keys of an actuator by itself, but its inputs."""
+        design, loads = unlike(self.actuators)[name], inherited(name, self.actuators, "loads")
+        return {
+            **self._common(name),
+            **{key: getattr(design, field) for key, field in OF_DESIGN.items()},
+            "network": network,
+            "loads": self.loads if loads is None else loads,
+        }
+
+    def _common(self, name: str) -> dict[str, Any]:
+        """The keys that all have in common; ``name``: of what they are."""
+        return {
+            "name": f"{self.name}.{name}"[:100],
+            **({"spec": self.spec} if "spec" in self.model_fields_set else {}),
+            "fluid": self.fluid_choice,
+            **{key: getattr(self, key) for key in SHARED},
+        }
+
+    def _alone_scene(self, name: str) -> Scene:
+        """An actuator that shares fluid by itself, with nothing at its inlets yet."""
+        own = self.alone[name]
+        return self.alone_driven_by(name, dict.fromkeys(own.inlets, NOTHING))
+
+    def alone_driven_by(self, name: str, inputs: Mapping[str, Any]) -> Scene:
+        """An actuator that shares fluid by itself, with inputs at the inlets that it then has."""
+        own = self.alone[name]
+        keys = self._keys(name, own.network) | own.driven_by(inputs)
+        if self.run.start == "periodic" and not all_repeat(inputs.values()):
+            keys["run"] = self.run.model_copy(update={"start": "equilibrium"})
+        return Scene.model_validate(keys).with_source(self._source)
+
+    def _joined(self, group: LinkedGroup) -> JoinedScene:
+        scenes = {name: self._alone_scene(name) for name in group.names}
+        keys = self._common("+".join(group.names)) | joined_keys(group, scenes, self.sources)
+        return JoinedScene.model_validate(keys).with_source(self._source)
 
     def __repr__(self) -> str:
         return f"<SeveralScene {self.name}: {', '.join(self.actuators)}>"

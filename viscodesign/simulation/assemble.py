@@ -19,6 +19,7 @@ from viscodesign.postprocess.motion_limits import MotionBlock
 from viscodesign.postprocess.terminations import doubted_balance
 from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
+from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.provenance import provenance
 from viscodesign.results.trajectory import Accuracy, Cost, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
@@ -31,8 +32,9 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
     """The motion with its warnings; how it ended and how accurate it is come later."""
     scene, motion, graph = quantities.scene, run.motion, quantities.graph
     found = classification(quantities, selection.active)
-    blocks_of_motion = _motion_blocks(quantities, motion)
-    exceeded = tuple(motion_notices(quantities, selection.active, blocks_of_motion))
+    # Of several rods, each is judged by itself.
+    moved = () if scene.members else motion_blocks(quantities, motion)
+    exceeded = tuple(motion_notices(quantities, selection.active, moved))
     return Trajectory(
         name=scene.name,
         status="complete",
@@ -97,7 +99,8 @@ def _start_notices(quantities: SceneQuantities, selection: Selection, run: Run) 
         )
 
 
-def _motion_blocks(quantities: SceneQuantities, motion: Motion) -> Iterator[MotionBlock]:
+def motion_blocks(quantities: SceneQuantities, motion: MotionArrays) -> Iterator[MotionBlock]:
+    """A motion in blocks, for the limits of its model."""
     graph, names = quantities.graph, tuple(quantities.scene.inputs)
     for rows in blocks(len(motion.time), *motion.arrays.values()):
         yield MotionBlock(

@@ -18,6 +18,7 @@ from viscodesign.model.formulation import formulate
 from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod import Body, RodDiscretisation
 from viscodesign.model.scene_number import Numbers
+from viscodesign.model.several_rods import SeveralRods, several_bodies
 from viscodesign.model.syringes import SyringeParameters
 from viscodesign.model.system import InletSource, System
 from viscodesign.model.unknowns import Sizes
@@ -50,7 +51,7 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
     A run then measures what they do.
     """
     accuracy, body = quantities.accuracy, quantities.body
-    mesh = Chain.suggested(body, accuracy, quantities.largest_turn)
+    mesh = _kind_of(body).suggested(body, accuracy, quantities.largest_turn)
     solver = solver_catalogue()[DEFAULT_SOLVER]
     tolerance = SHARE_OF_TIME * accuracy / solver.tip_error_per_tolerance
     return Settings(mesh.edges_per_section, tolerance, solver.name, is_free=True)
@@ -59,7 +60,7 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
 def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings) -> Problem:
     """Assemble the system, let every effect join it, and formulate its equations."""
     scene = quantities.scene
-    rod = Chain(quantities.body, settings.edges_per_section)
+    rod = _kind_of(quantities.body)(quantities.body, settings.edges_per_section)
     system = assemble(quantities, effects, rod, resolvable_body(quantities))
     system.wide = wide_tubes(quantities)
     equations = formulate(system, sizes_of(quantities))
@@ -77,7 +78,12 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         remedies=_remedies(quantities),
         max_steps=scene.run.max_steps,
         flow_shares=_flow_shares(quantities, equations.network_form),
+        junctions=quantities.graph.junctions,
     )
+
+
+def _kind_of(body: Body) -> type[RodDiscretisation]:
+    return SeveralRods if body.members else Chain
 
 
 def assemble(
@@ -154,8 +160,17 @@ def resolvable_body(quantities: SceneQuantities) -> Body:
 
     A force F stretches a rod by F/EA of its length; forces are scaled by EI/L2.
     """
-    body, pull = quantities.body, quantities.load_force + quantities.fluid_weight
-    most = INEXTENSIBLE / quantities.accuracy * max(quantities.bending_force, pull)
+    if quantities.body.members:
+        return several_bodies([_resolvable(quantities, own) for own in quantities.body.members])
+    return _resolvable(quantities, quantities.body)
+
+
+def _resolvable(quantities: SceneQuantities, body: Body) -> Body:
+    pull, bending = (
+        quantities.load_force + quantities.fluid_weight,
+        body.bending_stiffness / body.length**2,
+    )
+    most = INEXTENSIBLE / quantities.accuracy * max(bending, pull)
     varied = body.varied
     if varied is not None:
         stiffest = np.maximum(INEXTENSIBLE / quantities.accuracy, MOST_STIFFENED)

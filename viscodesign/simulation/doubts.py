@@ -56,7 +56,7 @@ def _motion_size(found: Trajectory, is_driven: bool) -> float | None:
     straight actuator [m]; None where nothing acts on it.
     """
     least = ROUND_OFF * found.length
-    moved = _farthest(found, found.tip[0, :2])
+    moved = _farthest(found, found.tips(slice(1)))
     if moved > least or is_driven:
         return moved
     bent = _farthest(found, np.array([0.0, found.length]))
@@ -64,9 +64,9 @@ def _motion_size(found: Trajectory, is_driven: bool) -> float | None:
 
 
 def _farthest(found: Trajectory, place: np.ndarray) -> float:
-    """Largest distance of the tip from a place (2,) [m]."""
+    """Largest distance of a tip from a place (2,), or from its own (1, rods, 2) [m]."""
     return max(
-        float(np.max(np.hypot(*(found.tip[rows, :2] - place).T)))
+        float(np.max(np.hypot(*(found.tips(rows) - place).T)))
         for rows in blocks(len(found.tip), found.tip)
     )
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
 from viscodesign.errors import SolveError, UsageError
+from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
@@ -87,7 +88,7 @@ def _simulated(
     """The trajectory, as far as it came before an interrupt."""
     watch = Stopwatch()
     with watch("choose"):
-        quantities, workspace = SceneQuantities(scene), Workspace(ArrayStore(scratch), _PROBLEMS)
+        quantities, workspace = quantities_of(scene), Workspace(ArrayStore(scratch), _PROBLEMS)
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.active)

@@ -216,8 +216,8 @@ def farthest_tip(coarse: Motion, fine: Motion) -> tuple[float, int]:
     both = min(len(coarse.tip), len(fine.tip))
     farthest: list[tuple[float, int]] = []
     for rows in blocks(both, coarse.tip, fine.tip):
-        apart = coarse.tip[rows, :2] - fine.tip[rows, :2]
-        distance = np.hypot(apart[:, 0], apart[:, 1])
+        apart = coarse.tips(rows) - fine.tips(rows)
+        distance = np.hypot(apart[..., 0], apart[..., 1]).max(axis=1)
         row = int(np.argmax(distance))
         farthest.append((float(distance[row]), rows.start + row))
     return farthest[int(np.argmax([distance for distance, _ in farthest]))]

@@ -129,6 +129,7 @@ class Problem:
     """Steps after which a run is ended."""
     flow_shares: np.ndarray
     """(Q, B): tube flows per rate of every bellow's volume, where pressure is uniform."""
+    junctions: tuple[str, ...] = ()
 
     @property
     def body(self) -> Body:
@@ -284,7 +285,7 @@ def section_strains(
     """Smallest stretch and turn of every section (n, S) by named outputs at n edges."""
     if problem.equations.rod_form is not RodForm.ARCS:
         return problem.rod.section_strains(values)
-    turn = values["intrinsic_curvature"] * problem.body.section_length
+    turn = values["intrinsic_curvature"] * problem.body.section_lengths
     return 1 + values["intrinsic_stretch"], turn
 
 

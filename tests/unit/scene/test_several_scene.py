@@ -81,8 +81,6 @@ def test_a_resolved_spec_is_the_same_again() -> None:
          "'like' and network are both given"),
         ([], {"tubes": [{"from": "left.R1", "to": "lefd.R1", "length": 1, "radius": 1}]},
          "no such actuator: 'lefd'; did you mean 'left'"),
-        ([], {"tubes": [{"from": "left.R1", "to": "left.R2", "length": 1, "radius": 1}]},
-         "tubes between actuators are not supported yet"),
         ([], {"inputs": {"A": {"as": "B"}}}, "inputs.A.as: no input 'B'"),
         ([], {"inputs": {}}, "inputs"),
         ([], {"run": {"duration": 1, "start": "periodic"},
@@ -116,11 +114,11 @@ def test_an_actuator_named_twice() -> None:
 SYRINGE = {"kind": "syringe", "diameter": "20 mm", "start": "50 mm", "rows": [[0, 0], [2, 5e-3]]}
 
 
-def test_a_syringe_that_unequal_ones_share_is_refused_and_one_of_a_single_one_is_not() -> None:
+def test_a_syringe_that_unequal_ones_share_joins_them_and_one_of_a_single_one_does_not() -> None:
     heavy = "{like: left, loads: {payload: 1 g}}"
-    with pytest.raises(SpecError, match=r"inputs\.A: it feeds left, right, which differ"):
-        legs(heavy, inputs={"A": SYRINGE})
+    assert [own.names for own in legs(heavy, inputs={"A": SYRINGE}).groups] == [("left", "right")]
     scene = legs("{like: left, source: B}", inputs={"A": SYRINGE, "B": spec()["inputs"]["A"]})
+    assert not scene.groups
     assert not scene.scenes["left"].input.gives_pressure  # type: ignore[union-attr]
     with pytest.raises(SpecError, match=r"inputs\.B\.delay: 'A' is of the kind syringe"):
         legs("{like: left, source: B}", inputs={"A": SYRINGE, "B": {"as": "A", "delay": 1}})
@@ -140,7 +138,7 @@ def test_equal_ones_have_an_even_part_of_a_syringe() -> None:
     )
 
 
-def test_a_syringe_cannot_feed_two_inlets() -> None:
+def test_a_syringe_that_feeds_two_inlets_joins_them() -> None:
     own = spec(inputs={"A": SYRINGE})
     left = own["actuators"]["left"]
     ends = (("a", "R1"), ("b", "L1"), ("R1", "R2"), ("L1", "L2"))
@@ -148,8 +146,12 @@ def test_a_syringe_cannot_feed_two_inlets() -> None:
     left |= {"network": {"layout": "custom", "tubes": tubes}, "source": {"a": "A", "b": "A"}}
     left["bellows"]["count"] = 4
     own["actuators"] = {"left": left}
-    with pytest.raises(SpecError, match=r"inputs\.A: it feeds several inlets of left"):
-        load_several(own)
+    (joined,) = load_several(own).joined
+    assert joined.graph.inlets == ("A",)
+    assert [(t.start, t.end) for t in joined.graph.tubes[:2]] == [
+        ("A", "left.R1"),
+        ("A", "left.L1"),
+    ]
     own["inputs"] = spec()["inputs"]
     left["source"] = {"a": "A", "b": "B"}
     assert list(load_several(own).scenes["left"].inputs) == ["a", "b"]
@@ -159,12 +161,11 @@ SNAP = {"rows": [[-20e3, -5e-5, -0.1, -5e-4], [0, 0, 0, 0], [6e3, 4e-5, 0.1, 4e-
                  [4e3, 8e-5, 0.2, 8e-4], [30e3, 2e-4, 0.4, 2e-3]]}  # fmt: skip
 
 
-def test_a_syringe_cannot_be_shared_where_bellows_snap() -> None:
+def test_a_syringe_joins_equal_ones_whose_bellows_snap_one_before_the_other() -> None:
     own = spec(inputs={"A": SYRINGE})
     own["actuators"] = {"left": own["actuators"]["left"], "right": {"like": "left"}}
     own["actuators"]["left"]["bellows"]["curve"] = SNAP
-    with pytest.raises(SpecError, match="whose bellows snap through, one actuator before another"):
-        load_several(own)
+    assert [group.names for group in load_several(own).groups] == [("left", "right")]
 
 
 def test_single_specs_and_others_are_told_apart() -> None:
@@ -224,8 +225,8 @@ def leading_to(node: str) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("node", "message"),
     [
-        ("right.R1", "'right.R1': tubes between actuators are not supported yet"),
-        ("right.inlet", "'right.inlet': tubes between actuators are not supported yet"),
+        ("right.R1", "'right.R1': a tube that leads to another actuator stands"),
+        ("right.inlet", "'right.inlet': a tube that leads to another actuator stands"),
         ("nix.R1", "no such actuator: 'nix'; there are left"),
         ("rigth.tee", "no such actuator: 'rigth'; did you mean 'right'?"),
         ("left.R1", "nodes of its own network have no prefix; use 'R1'"),

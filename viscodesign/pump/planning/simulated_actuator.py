@@ -111,8 +111,7 @@ class ActuatorPlant(Plant):
         values = evaluate_along(problem, self._here.states[:, None], self._here.algebraics[:, None])
         self.pressure: np.ndarray = values["inlet_pressure"][0].copy()  # (P,) gauge [Pa]
         outputs = Outputs(problem, 0, 0, 1, np.zeros(1), values)
-        shape, angle = outputs.shapes(np.zeros(1, dtype=int))
-        self.tip: np.ndarray = np.append(shape[0, -1], angle)  # x [m], z [m], angle [rad]
+        self.tip: np.ndarray = outputs.tips(np.zeros(1, dtype=int))[0]  # x, z [m], angle [rad]
 
 
 def _driven_problem(scene: Scene, pump: PumpSpec) -> tuple[list[PumpDemand], Problem]:
