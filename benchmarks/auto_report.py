@@ -11,6 +11,7 @@ from viscodesign.simulation.judged_effects import JUDGING
 
 TIGHT = 10.0
 CONFIDENCE = 0.95
+RUNS = ("auto", "all")
 
 
 def write_report(path: Path, seed: int) -> None:
@@ -109,6 +110,24 @@ def _cost_lines(judged: list[Record]) -> list[str]:
                 for cost in (_again, _anew, _first)
             ]
             lines.append(f"| {name} | {len(own)} | " + " | ".join(found) + " |")
+    return [*lines, "", *_time_lines(groups)]
+
+
+def _time_lines(groups: dict[str, list[Record]]) -> list[str]:
+    """The same as times."""
+    lines = [
+        "Medians of the CPU times themselves [ms], `auto` and everything on:",
+        "",
+        "| scenes | again in one process | weighing effects alone | the first time |",
+        "|---|---|---|---|",
+    ]
+    for name, own in groups.items():
+        if own:
+            pairs = [
+                " and ".join(f"{1e3 * np.median([r[who][key] for r in own]):,.0f}" for who in RUNS)
+                for key in ("again_s", "choose_s", "first_s")
+            ]
+            lines.append(f"| {name} | " + " | ".join(pairs) + " |")
     return lines
 
 

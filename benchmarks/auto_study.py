@@ -22,7 +22,7 @@ import numpy as np
 import ringing_draw
 import scene_draw
 from auto_report import write_report
-from scene_runs import Record, loaded, options, run_all, say
+from scene_runs import Record, forget_choices, loaded, options, run_all, say
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "auto_study.jsonl"
@@ -72,7 +72,7 @@ def _solved(scene: Any) -> Record:
     from viscodesign.estimate.scene_quantities import SceneQuantities
 
     first_s, _ = _cpu(lambda: simulate(scene))
-    _forget_choices()
+    forget_choices()
     choose_s, _ = _cpu(lambda: select_effects(SceneQuantities(scene)))
     again_s, run = min((_cpu(lambda: simulate(scene)) for _ in range(2)), key=lambda p: p[0])
     return {
@@ -95,14 +95,6 @@ def _cpu(work: Callable[[], Any]) -> tuple[float, Any]:
     began = time.process_time()
     found = work()
     return time.process_time() - began, found
-
-
-def _forget_choices() -> None:
-    from viscodesign.effects import select, tip_displacements
-    from viscodesign.storage.lru_cache import LruCache
-
-    select._choices = LruCache(64)
-    tip_displacements._distances = LruCache(64)
 
 
 def _finer(scene: Any, run: Record) -> np.ndarray | None:

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 from effects_report import Record, write_report
-from scene_runs import drawn, options, run_all, say
+from scene_runs import drawn, forget_choices, options, run_all, say
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "effects_study.jsonl"
@@ -37,7 +37,7 @@ def main() -> None:
         return
     if not given.report:
         run_all(given, __file__)
-    write_report(given.output)
+    write_report(given.output, given.seed)
 
 
 def study(seed: int, index: int) -> Iterator[Record]:
@@ -95,6 +95,7 @@ def _cost(scene: Any) -> Record:
 
     best: Record = {}
     for _ in range(REPEATS):
+        forget_choices()
         quantities = SceneQuantities(scene)
         began = time.perf_counter()
         selection = select_effects(quantities)

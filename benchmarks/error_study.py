@@ -65,7 +65,7 @@ def main() -> None:
         if not given.report:
             run_all(given, __file__, ("--folder", str(given.folder)))
             compare(given.output, given.folder)
-        write_report(given.output)
+        write_report(given.output, given.seed)
 
 
 def make_references(given: argparse.Namespace) -> None:
@@ -77,7 +77,8 @@ def make_references(given: argparse.Namespace) -> None:
     step = "sharpen" if given.sharpen else "references"
     more = (f"--{step}", "--folder", str(given.folder), "--output", str(given.output))
     given.output = given.folder / f"{step}.jsonl"
-    given.timeout = max(given.timeout, REFERENCE_LIMIT)
+    if given.timeout == LIMIT:  # none was given
+        given.timeout = REFERENCE_LIMIT
     run_all(given, __file__, more)
 
 
