@@ -62,7 +62,9 @@ class SeveralRuns:
     def failure(self) -> str | None:
         """Why actuators have no complete run; None where all have."""
         told = {**{n: r.failure for n, r in self.runs.items() if r.failure}, **self.failures}
-        return "\n".join(f"{name}: {why}" for name, why in told.items()) or None
+        together = {n: " and ".join(s.actuators) for s in self.coupled for n in s.actuators}
+        lines = (f"{together.get(name, name)}: {why}" for name, why in told.items())
+        return "\n".join(dict.fromkeys(lines)) or None
 
     def __getitem__(self, actuator: str) -> Trajectory:
         return self.runs[actuator]

@@ -11,6 +11,7 @@ import pandas as pd
 import pytest
 import yaml
 
+from tests.coupled_specs import FLOW_ALONE, coupled_spec
 from tests.scenes import SEVERAL_SPECS
 from viscodesign import (
     SeveralRuns,
@@ -130,6 +131,35 @@ def test_one_that_fails_does_not_keep_the_others_from_running(
     assert set(found.failures) == {"left", "right"}
     assert found.status == "failed"
     assert "left: no equilibrium" in (found.failure or "")
+
+
+def test_where_a_system_fails_is_told_by_the_sections_of_each(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def failing(scene: Any, **options: Any) -> Any:
+        raise SolveError("section 3 is too thin", quantity="rod", where="section 3", remedy="None")
+
+    monkeypatch.setattr(module, "simulate", failing)
+    found = simulate_several(load_several(coupled_spec()), verify=False)
+    assert set(found.failures) == {"left", "right"}
+    assert "right: section 1 of right is too thin" in (found.failure or "")
+
+
+def test_what_shares_fluid_has_one_check_and_columns_of_its_own(tmp_path: Path) -> None:
+    scene = load_several(coupled_spec(effects=FLOW_ALONE))
+    checks = check_several(scene)
+    assert checks["left"] is checks["right"]
+    assert checks["left"].facts[0] == "left and right: one system, with one set of effects"
+    assert list(classify_several(scene)) == ["left", "right"]
+    found = simulate_several(scene, verify=False)
+    shared = ["junction_pressure_T_pa", "flow_A-T_m3_s", "flow_T-left.inlet_m3_s"]
+    assert set(shared) <= set(found.frame().columns)
+    assert found.summary()["share_fluid"] == [["left", "right"]]
+    assert found.supplies()["A"]["feeds"] == ["left", "right"]
+    found.save(tmp_path, report=False, plots=False)
+    alone = load(tmp_path / "right" / "spec.yaml")
+    assert list(alone.inputs) == ["T"]
+    assert alone.graph.tubes[-1].name == "T-joint"
 
 
 def test_all_are_checked_and_classified() -> None:
