@@ -6,6 +6,7 @@ from collections.abc import Hashable, Mapping
 
 from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import every_effect
+from viscodesign.effects.effects_key import effects_key
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.storage.cached_property import cached_property
 
@@ -26,10 +27,10 @@ class AllowedSets:
         self.present = {n for n in own if not self._is_replaced(n, own)}
         """Names of the effects that the scene has something for."""
 
-    @property
+    @cached_property
     def key(self) -> Hashable:
         """All that the choice among them depends on: every key of the scene, and the effects."""
-        return self.quantities.scene.digest, tuple(map(type, self.effects.values()))
+        return effects_key(self.quantities, self.effects.values())
 
     def _is_replaced(self, name: str, present: set[str]) -> bool:
         other = self.effects[name].replaced_by

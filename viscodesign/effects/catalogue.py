@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from functools import cache
 from typing import TYPE_CHECKING
@@ -14,10 +15,21 @@ if TYPE_CHECKING:
     from viscodesign.estimate.scene_quantities import SceneQuantities
 
 
-@cache
 def catalogue() -> dict[str, type[Effect]]:
     """Every effect by its name, in the order of listing and joining."""
+    if not all(map(_is_current, _catalogue().values())):
+        _catalogue.cache_clear()
+    return _catalogue()
+
+
+@cache
+def _catalogue() -> dict[str, type[Effect]]:
     return members(effects.__name__, Effect)  # type: ignore[type-abstract]
+
+
+def _is_current(kind: type[Effect]) -> bool:
+    """Whether a class is still what its module has by its name: one that was reloaded has not."""
+    return getattr(sys.modules.get(kind.__module__), kind.__name__, None) is kind
 
 
 def effect_names() -> tuple[str, ...]:

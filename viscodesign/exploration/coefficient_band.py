@@ -7,6 +7,7 @@ import time as clock
 import numpy as np
 
 from viscodesign.compiled.outputs import TIP_COLUMNS
+from viscodesign.effects.effects_key import scene_key
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
 from viscodesign.exploration.stated_uncertainty import StatedDeviation, stated_deviations
@@ -70,7 +71,7 @@ def _slopes(
         found = tuple(zip(names, map(float, function.values), function.units, strict=True))
         return np.stack([slopes[name] for name in TIP_COLUMNS], axis=1), found, left_out
 
-    return _SLOPES.get((scene.digest, scene.source, tuple(stated)), solved)
+    return _SLOPES.get((scene_key(scene), scene.source, tuple(stated)), solved)
 
 
 def _by_share(

@@ -13,6 +13,7 @@ from viscodesign._version import __version__
 from viscodesign.compiled.free_keys import FreeKeys, candidates
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.compiled.outputs import TIP_COLUMNS
+from viscodesign.effects.effects_key import scene_key
 from viscodesign.errors import SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
 from viscodesign.exploration.sampled_variance import sampled_variance
@@ -90,7 +91,7 @@ def sensitivity(
 
 def _function(scene: Scene, keys: tuple[str, ...] | None) -> tuple[CompiledFunction, LeftOut]:
     """The tip as a function of numbers, all that can be free by default, and what cannot."""
-    kept = scene.digest, scene.source, keys
+    kept = scene_key(scene), scene.source, keys
     if keys is not None:
         return _FUNCTIONS.get(kept, lambda: (CompiledFunction(scene, keys, TIP_COLUMNS), ()))
     return _FUNCTIONS.get(kept, lambda: _of_all_numbers(scene))

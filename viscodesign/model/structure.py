@@ -30,11 +30,7 @@ SX = ca.SX
 
 def structure_of(system: object) -> Hashable:
     """A key that two systems share exactly if they have the same formulas."""
-    walk = _Walk()
-    key = walk.key_of(system)
-    expressions = SX(ca.veccat(*walk.expressions))
-    function = ca.Function("all", ca.symvar(expressions), [expressions])
-    return key, function.serialize()
+    return Walk().whole(system)
 
 
 def without_numbers(thing: Any) -> Any:
@@ -76,20 +72,34 @@ def _counts(number: Any) -> Hashable:
     return found
 
 
-class _Walk:
-    """One pass over everything that can be reached from an object."""
+class Walk:
+    """One pass over everything that can be reached from an object.
 
-    def __init__(self) -> None:
-        self.expressions: list[SX] = []
-        self._met: dict[int, int] = {}
-        self._alive: list[object] = []
+    ``known``: objects that need no key, since the caller's own says what they are.
+    """
+
+    def __init__(self, *known: object) -> None:
+        self._expressions: list[SX] = []
+        self._met = {id(thing): -1 - k for k, thing in enumerate(known)}
+        self._alive = list(known)
+
+    def whole(self, value: Any) -> Hashable:
+        """A key for a value with the expressions in it."""
+        key = self.key_of(value)
+        if not self._expressions:
+            return key, ""
+        expressions = SX(ca.veccat(*self._expressions))
+        function = ca.Function("all", ca.symvar(expressions), [expressions])
+        return key, function.serialize()
 
     def key_of(self, value: Any) -> Hashable:
         """A key for a value; expressions are gathered, and represented by their sparsity."""
-        if value is None or isinstance(value, str | bytes | Number | Enum | type):
+        if isinstance(value, type):
+            return self._class(value)
+        if value is None or isinstance(value, str | bytes | Number | Enum):
             return type(value), value
         if isinstance(value, SX):
-            self.expressions.append(value)
+            self._expressions.append(value)
             return SX, _pattern(value)
         if isinstance(value, ca.Function | ca.DM):
             return type(value), value.serialize()
@@ -103,14 +113,28 @@ class _Walk:
             return type(value), tuple(self.key_of(item) for item in value)
         return self._object(value)
 
-    def _object(self, value: Any) -> Hashable:
+    def _class(self, kind: type) -> Hashable:
+        return type(kind), kind
+
+    def _function(self, function: FunctionType) -> Hashable:
+        parts = (function.__defaults__, function.__kwdefaults__, _closure(function))
+        module = ModuleName(function.__module__)
+        return FunctionType, module, function.__code__, self.key_of(parts)
+
+    def _met_before(self, value: object) -> Hashable | None:
+        """The key of what has one already; None at the first time."""
         if id(value) in self._met:
             return "met", self._met[id(value)]
         self._met[id(value)] = len(self._met)
         self._alive.append(value)
+        return None
+
+    def _object(self, value: Any) -> Hashable:
+        before = self._met_before(value)
+        if before is not None:
+            return before
         if isinstance(value, FunctionType):
-            parts = (value.__defaults__, value.__kwdefaults__, _closure(value))
-            return FunctionType, ModuleName(value.__module__), value.__code__, self.key_of(parts)
+            return self._function(value)
         if isinstance(value, MethodType):
             return MethodType, self.key_of((value.__func__, value.__self__))
         return self._state(value)
@@ -136,11 +160,15 @@ class _Walk:
 
     def _attributes(self, kind: Any, state: Mapping[str, Any]) -> Hashable:
         """Those of a plain object of a class, of which scene numbers do not count."""
-        numbers = _number_fields(kind)
+        numbers = self._numbers(kind)
         return tuple(
             (name, self.key_of(own) if name not in numbers else numbers[name] and _counts(own))
             for name, own in sorted(state.items())
         )
+
+    def _numbers(self, kind: type) -> dict[str, bool]:
+        """The fields of a class that are no structure (see `_number_fields`)."""
+        return _number_fields(kind)
 
 
 class ModuleName(str):

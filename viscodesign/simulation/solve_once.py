@@ -9,6 +9,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from viscodesign.effects.base import Effect
+from viscodesign.effects.effects_key import effects_key
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
@@ -91,10 +92,9 @@ class ProblemStore:
         self, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
     ) -> PreparedProblem:
         """A scene's equations, formulated once for every set of effects and mesh."""
-        scene = quantities.scene
-        key = (scene.digest, tuple(map(type, effects)), settings.edges_per_section)
+        key = effects_key(quantities, effects), settings.edges_per_section
         return self._kept.get(
-            key, lambda: prepared_problem(scene, build(quantities, effects, settings))
+            key, lambda: prepared_problem(quantities.scene, build(quantities, effects, settings))
         )
 
 
