@@ -5,10 +5,15 @@ from __future__ import annotations
 import itertools
 from typing import Any
 
+import numpy as np
 import yaml
 
 from tests.scenes import CONFIGS
 from viscodesign import RobotScene, load_robot
+from viscodesign.results.robot_motion import RobotMotion
+from viscodesign.robot.build_robot import build_robot
+from viscodesign.robot.march import StepPlan, march
+from viscodesign.robot.walk import start_state
 
 HEXAPOD = CONFIGS / "hexapod.yaml"
 TEXT = HEXAPOD.read_text(encoding="utf-8")
@@ -17,6 +22,18 @@ TEXT = HEXAPOD.read_text(encoding="utf-8")
 def hexapod(*overrides: str) -> RobotScene:
     """The bundled robot with overrides 'key=value'."""
     return load_robot(HEXAPOD, overrides)
+
+
+def moved(scene: RobotScene, per_cycle: int, cycles: int) -> RobotMotion:
+    """The motion of a robot with a given step."""
+    model, period = build_robot(scene), scene.period or 0.0
+    sources = list(scene.sources.values())
+
+    def pressures(times: np.ndarray) -> np.ndarray:
+        return scene.gauge_pressure + np.column_stack([s.values(times) for s in sources])
+
+    plan = StepPlan(period, per_cycle, cycles, per_cycle)
+    return march(model, start_state(scene, model), pressures, plan).motion
 
 
 def keys() -> dict[str, Any]:

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.robots import hexapod, mirrored
+from tests.robots import hexapod, mirrored, moved
 from tests.scenes import leg
-from viscodesign import RobotScene, SpecError, WalkStudy, load_robot, simulate, stand, walk
+from viscodesign import SpecError, WalkStudy, load_robot, simulate, stand, walk
 from viscodesign.cli.main import main
 from viscodesign.cli.texts.walk_text import walk_lines
 from viscodesign.cli.walk import no_speed
@@ -21,7 +21,6 @@ from viscodesign.errors import SolveError
 from viscodesign.report.film.walk_film import write_walk_film
 from viscodesign.report.picture_options import picture_options
 from viscodesign.report.walk_folder import write_walk
-from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.robot.build_robot import build_robot
 from viscodesign.robot.gait_numbers import pump_uses
 from viscodesign.robot.leg_design import leg_design
@@ -37,18 +36,6 @@ from viscodesign.scene.robot import RobotPump
 
 COARSE = 125
 """Steps of a cycle: the advance is within 2.5 % of that of infinitely many."""
-
-
-def moved(scene: RobotScene, per_cycle: int, cycles: int) -> RobotMotion:
-    """The motion of a robot with a given step."""
-    model, period = build_robot(scene), scene.period or 0.0
-    sources = list(scene.sources.values())
-
-    def pressures(times: np.ndarray) -> np.ndarray:
-        return scene.gauge_pressure + np.column_stack([s.values(times) for s in sources])
-
-    plan = StepPlan(period, per_cycle, cycles, per_cycle)
-    return march(model, start_state(scene, model), pressures, plan).motion
 
 
 @pytest.fixture(scope="module")
