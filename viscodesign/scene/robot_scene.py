@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Literal
 
 from pydantic import (
     Field,
-    ValidationInfo,
     field_validator,
     model_validator,
 )
 
 from viscodesign.scene.common_period import common_period, no_period
 from viscodesign.scene.effects_choice import EffectsChoice
-from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.later_input import own_inputs
@@ -22,12 +19,7 @@ from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.robot import Robot
 from viscodesign.scene.robot_faults import robot_faults
 from viscodesign.scene.run import RunSettings
-from viscodesign.scene.scene import (
-    DEFAULT_ACCURACY,
-    LEAST_ACCURACY,
-    STANDARD_ATMOSPHERE,
-    Scene,
-)
+from viscodesign.scene.scene import Scene
 from viscodesign.scene.several import (
     ActuatorDesign,
     OwnOrSameInput,
@@ -37,10 +29,18 @@ from viscodesign.scene.spec_part import (
     invalid,
     raise_faults,
 )
-from viscodesign.scene.spec_version import SPEC_VERSION
-from viscodesign.scene.whole_spec import WholeSpec
+from viscodesign.scene.whole_spec import (
+    DEFAULT_ACCURACY,
+    STANDARD_ATMOSPHERE,
+    STANDARD_TEMPERATURE,
+    Accuracy,
+    Ambient,
+    Baseline,
+    FluidChoice,
+    FluidTemperature,
+    WholeSpec,
+)
 from viscodesign.storage.cached_property import cached_property
-from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
 LEG_INLET = "inlet"
 """What the inlet of a leg's network is called."""
@@ -49,23 +49,13 @@ LEG_INLET = "inlet"
 class RobotScene(WholeSpec):
     """A validated spec of a robot, in SI units."""
 
-    spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
-    name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuators: dict[str, ActuatorDesign] = Field(min_length=1, description="The actuators, by name")
-    fluid_choice: Fluid = Field(alias="fluid", description="A named fluid, or its properties")
-    temperature: Temperature = Field(
-        293.15, gt=0, description="Temperature of fluid and surroundings"
-    )
-    gauge_pressure: GaugePressure = Field(
-        0.0, description="Baseline gauge pressure, to which the inputs add"
-    )
-    ambient_pressure: AbsolutePressure = Field(
-        STANDARD_ATMOSPHERE, gt=0, description="Absolute ambient pressure"
-    )
-    accuracy: Fraction = Field(
+    fluid_choice: FluidChoice
+    temperature: FluidTemperature = STANDARD_TEMPERATURE
+    gauge_pressure: Baseline = 0.0
+    ambient_pressure: Ambient = STANDARD_ATMOSPHERE
+    accuracy: Accuracy = Field(
         DEFAULT_ACCURACY,
-        ge=LEAST_ACCURACY,
-        le=0.2,
         description="Error of the advance per cycle that is aimed at, relative to it",
     )
     inputs: dict[str, OwnOrSameInput] = Field(
@@ -76,22 +66,6 @@ class RobotScene(WholeSpec):
         default_factory=EffectsChoice, description="auto: the equations of a robot are fixed"
     )
     run: RunSettings = Field(description="Duration and outputs")
-
-    @field_validator("name")
-    @classmethod
-    def _usable_as_folder(cls, name: str) -> str:
-        return Scene._usable_as_folder(name)
-
-    @field_validator("fluid_choice", mode="before")
-    @classmethod
-    def _named(cls, given: Any) -> Any:
-        return {"name": given} if isinstance(given, str) else given
-
-    @field_validator("inputs", mode="before")
-    @classmethod
-    def _prepared(cls, given: Any, info: ValidationInfo) -> Any:
-        """Inputs with what they refer to in other keys worked in, as those of a scene."""
-        return Scene._prepared(given, info) if isinstance(given, dict) else given
 
     @field_validator("effects")
     @classmethod
@@ -157,6 +131,3 @@ class RobotScene(WholeSpec):
     def __repr__(self) -> str:
         legs = len(self.robot.legs)
         return f"<RobotScene {self.name}: {legs} legs, {1e3 * self.robot.mass:g} g>"
-
-    def __str__(self) -> str:
-        return repr(self)

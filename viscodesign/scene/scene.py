@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import Any, ClassVar, Literal, Self
+from typing import Any, ClassVar, Self
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
-from pydantic_core import PydanticCustomError
 
 from viscodesign.lazy_names import module_above
 from viscodesign.model.graph import Graph
@@ -17,43 +14,30 @@ from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.common_period import common_period
 from viscodesign.scene.cross_checks import SINGLE_INLET, cross_check
 from viscodesign.scene.effects_choice import EffectsChoice
-from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluids.base import FluidProperties
-from viscodesign.scene.input import INPUT_KINDS, AnyInput
-from viscodesign.scene.inputs.base import Input, Surroundings
+from viscodesign.scene.input import AnyInput
+from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import Network
-from viscodesign.scene.pressure_levels import with_levels_above
 from viscodesign.scene.pump import AnyPump
 from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.sections import SectionChange, Sections
-from viscodesign.scene.spec_part import KeyPath, faults_below, invalid, raise_faults
-from viscodesign.scene.spec_version import SPEC_VERSION, version_problem
+from viscodesign.scene.spec_part import raise_faults
 from viscodesign.scene.uncertainty import Uncertainty
-from viscodesign.scene.whole_spec import WholeSpec
+from viscodesign.scene.whole_spec import (
+    DEFAULT_ACCURACY,
+    STANDARD_ATMOSPHERE,
+    STANDARD_TEMPERATURE,
+    Accuracy,
+    Ambient,
+    Baseline,
+    FluidChoice,
+    FluidTemperature,
+    WholeSpec,
+)
 from viscodesign.storage.cached_property import cached_property
-from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
-
-STANDARD_ATMOSPHERE = 101325.0
-"""[Pa]"""
-DEFAULT_ACCURACY = 0.005
-"""Default accuracy, as a part of the actuator's length."""
-LEAST_ACCURACY = 1e-7
-"""The smallest that a spec may ask for, in lengths of the actuator."""
-
-
-def _prepared(around: Surroundings, given: Any, path: KeyPath) -> Any:
-    """An input as given, with its absolute levels above the baseline, and its file read."""
-    kind = given.get("kind") if isinstance(given, dict) else None
-    if not isinstance(kind, str) or kind not in INPUT_KINDS:
-        return given
-    own, baseline = INPUT_KINDS[kind], around.ambient + around.baseline
-    try:
-        return own.prepared(with_levels_above(baseline, own, given), around)
-    except PydanticCustomError as error:
-        raise faults_below(path, error) from None
 
 
 class Scene(WholeSpec):
@@ -61,8 +45,6 @@ class Scene(WholeSpec):
 
     section: ClassVar[str] = ""
 
-    spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
-    name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuator: Actuator = Field(description="The elastomer body: size, stiffness, mass")
     bellows: Bellows = Field(description="Number, size and measured coefficients of the bellows")
     section_changes: dict[str, SectionChange] | None = Field(
@@ -71,23 +53,12 @@ class Scene(WholeSpec):
         description="Sections that differ, by number or range from the clamp: 3, 1-2",
     )
     network: Network = Field(description="The tubes that connect the bellows")
-    fluid_choice: Fluid = Field(
-        alias="fluid",
-        description="A named fluid, such as air or water, or a mapping of name, viscosity, density",
-    )
-    temperature: Temperature = Field(
-        293.15, gt=0, description="Temperature of fluid and surroundings"
-    )
-    gauge_pressure: GaugePressure = Field(
-        0.0, description="Baseline gauge pressure, to which the input adds"
-    )
-    ambient_pressure: AbsolutePressure = Field(
-        STANDARD_ATMOSPHERE, gt=0, description="Absolute ambient pressure"
-    )
-    accuracy: Fraction = Field(
+    fluid_choice: FluidChoice
+    temperature: FluidTemperature = STANDARD_TEMPERATURE
+    gauge_pressure: Baseline = 0.0
+    ambient_pressure: Ambient = STANDARD_ATMOSPHERE
+    accuracy: Accuracy = Field(
         DEFAULT_ACCURACY,
-        ge=LEAST_ACCURACY,
-        le=0.2,
         description="Allowed tip error relative to the actuator length",
         examples=["0.5 %"],
     )
@@ -107,39 +78,6 @@ class Scene(WholeSpec):
     run: RunSettings = Field(description="Duration, outputs and initial state")
     pump: AnyPump | None = Field(None, description="The pump, for the pump commands")
 
-    @field_validator("input", "several_inputs", mode="before")
-    @classmethod
-    def _prepared(cls, given: Any, info: ValidationInfo) -> Any:
-        """The inputs with what they refer to in other keys worked in."""
-        if not isinstance(given, dict):
-            return given
-        around = Surroundings.of(
-            info.context,
-            ambient=info.data.get("ambient_pressure", STANDARD_ATMOSPHERE),
-            baseline=info.data.get("gauge_pressure", 0.0),
-            accuracy=info.data.get("accuracy", DEFAULT_ACCURACY),
-        )
-        if info.field_name == "input":
-            return _prepared(replace(around, inlet=SINGLE_INLET), given, ())
-        return {
-            name: _prepared(replace(around, inlet=str(name)), own, (str(name),))
-            for name, own in given.items()
-        }
-
-    @field_validator("spec", mode="before")
-    @classmethod
-    def _known_version(cls, given: Any) -> Any:
-        if problem := version_problem(given):
-            raise invalid(problem)
-        return given
-
-    @field_validator("name")
-    @classmethod
-    def _usable_as_folder(cls, name: str) -> str:
-        if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._+-]*( [A-Za-z0-9._+-]+)*", name):
-            raise invalid(f"'{name}' cannot name a folder; use letters, digits, '_', '-', '.', '+'")
-        return name
-
     @field_validator("pump")
     @classmethod
     def _resolved(cls, pump: PumpSpec | None, info: ValidationInfo) -> PumpSpec | None:
@@ -154,16 +92,6 @@ class Scene(WholeSpec):
     @classmethod
     def _numbered(cls, given: Any) -> Any:
         return {str(key): own for key, own in given.items()} if isinstance(given, dict) else given
-
-    @field_validator("loads", mode="before")
-    @classmethod
-    def _no_loads(cls, given: Any) -> Any:
-        return {} if given is None else given
-
-    @field_validator("fluid_choice", mode="before")
-    @classmethod
-    def _named(cls, given: Any) -> Any:
-        return {"name": given} if isinstance(given, str) else given
 
     @model_validator(mode="after")
     def _cross_check(self) -> Scene:
@@ -241,9 +169,6 @@ class Scene(WholeSpec):
             f"<Scene {self.name}: {self.bellows.count} bellows, {network}, {fluid}, "
             f"{driven} for {self.run.duration:g} s>"
         )
-
-    def __str__(self) -> str:
-        return repr(self)
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the resolved spec, section by section."""

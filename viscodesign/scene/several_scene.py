@@ -7,12 +7,11 @@ even part, since all of them move alike. What tubes or other syringes join is on
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, Literal
+from typing import Any
 
 from pydantic import (
     Field,
     ValidationError,
-    ValidationInfo,
     field_validator,
     model_validator,
 )
@@ -22,7 +21,6 @@ from viscodesign.scene.alone import Alone, alone
 from viscodesign.scene.common_period import common_period
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fed_actuator import INLET, FedActuator, by_inlet, inherited
-from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.fluid_links import LinkedGroup, linked_groups, reached_by_tubes
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.joined_scene import JoinedScene, joined_keys
@@ -31,12 +29,7 @@ from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import TubeEntry
 from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.run import RunSettings
-from viscodesign.scene.scene import (
-    DEFAULT_ACCURACY,
-    LEAST_ACCURACY,
-    STANDARD_ATMOSPHERE,
-    Scene,
-)
+from viscodesign.scene.scene import Scene
 from viscodesign.scene.several import OwnOrSameInput, same_input_faults, unlike
 from viscodesign.scene.several_faults import (
     group_faults,
@@ -48,11 +41,19 @@ from viscodesign.scene.several_faults import (
     tube_faults,
 )
 from viscodesign.scene.spec_part import KeyFault, KeyPath, faults_of, raise_faults
-from viscodesign.scene.spec_version import SPEC_VERSION
 from viscodesign.scene.uncertainty import Uncertainty
-from viscodesign.scene.whole_spec import WholeSpec
+from viscodesign.scene.whole_spec import (
+    DEFAULT_ACCURACY,
+    STANDARD_ATMOSPHERE,
+    STANDARD_TEMPERATURE,
+    Accuracy,
+    Ambient,
+    Baseline,
+    FluidChoice,
+    FluidTemperature,
+    WholeSpec,
+)
 from viscodesign.storage.cached_property import cached_property
-from viscodesign.units import AbsolutePressure, Fraction, GaugePressure, Temperature
 
 OF_DESIGN = {"actuator": "actuator", "sections": "section_changes", "bellows": "bellows",
              "network": "network"}  # fmt: skip
@@ -76,28 +77,18 @@ def all_repeat(inputs: Iterable[Any]) -> bool:
 class SeveralScene(WholeSpec):
     """A validated spec of several actuators, in SI units."""
 
-    spec: Literal[1] = Field(SPEC_VERSION, description="Version of the keys; absent: 1")
-    name: str = Field(min_length=1, max_length=100, description="Name of the run and its folder")
     actuators: dict[str, FedActuator] = Field(min_length=1, description="The actuators, by name")
     tubes: tuple[TubeEntry, ...] | None = Field(
         None,
         description="Tubes between actuators, inputs and junctions: {from: A, to: left.R1, length, "
         "radius}",
     )
-    fluid_choice: Fluid = Field(alias="fluid", description="A named fluid, or its properties")
-    temperature: Temperature = Field(
-        293.15, gt=0, description="Temperature of fluid and surroundings"
-    )
-    gauge_pressure: GaugePressure = Field(
-        0.0, description="Baseline gauge pressure, to which the inputs add"
-    )
-    ambient_pressure: AbsolutePressure = Field(
-        STANDARD_ATMOSPHERE, gt=0, description="Absolute ambient pressure"
-    )
-    accuracy: Fraction = Field(
+    fluid_choice: FluidChoice
+    temperature: FluidTemperature = STANDARD_TEMPERATURE
+    gauge_pressure: Baseline = 0.0
+    ambient_pressure: Ambient = STANDARD_ATMOSPHERE
+    accuracy: Accuracy = Field(
         DEFAULT_ACCURACY,
-        ge=LEAST_ACCURACY,
-        le=0.2,
         description="Allowed tip error relative to the length of each actuator",
     )
     inputs: dict[str, OwnOrSameInput] = Field(
@@ -110,11 +101,6 @@ class SeveralScene(WholeSpec):
     uncertainty: Uncertainty | None = Field(None, description="How well numbers are known")
     run: RunSettings = Field(description="Duration, outputs and initial state")
 
-    @field_validator("name")
-    @classmethod
-    def _usable_as_folder(cls, name: str) -> str:
-        return Scene._usable_as_folder(name)
-
     @field_validator("actuators")
     @classmethod
     def _usable_as_folders(cls, given: dict[str, FedActuator]) -> dict[str, FedActuator]:
@@ -124,22 +110,6 @@ class SeveralScene(WholeSpec):
             if not (name.isidentifier() and name.isascii())
         )
         return given
-
-    @field_validator("loads", mode="before")
-    @classmethod
-    def _no_loads(cls, given: Any) -> Any:
-        return {} if given is None else given
-
-    @field_validator("fluid_choice", mode="before")
-    @classmethod
-    def _named(cls, given: Any) -> Any:
-        return {"name": given} if isinstance(given, str) else given
-
-    @field_validator("inputs", mode="before")
-    @classmethod
-    def _prepared(cls, given: Any, info: ValidationInfo) -> Any:
-        """Inputs with what they refer to in other keys worked in, as those of a scene."""
-        return Scene._prepared(given, info) if isinstance(given, dict) else given
 
     @model_validator(mode="after")
     def _cross_check(self) -> SeveralScene:
@@ -302,6 +272,3 @@ class SeveralScene(WholeSpec):
 
     def __repr__(self) -> str:
         return f"<SeveralScene {self.name}: {', '.join(self.actuators)}>"
-
-    def __str__(self) -> str:
-        return repr(self)

@@ -8,7 +8,7 @@ import numpy as np
 
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Accuracy, Trajectory
-from viscodesign.scene.scene import LEAST_ACCURACY
+from viscodesign.scene.whole_spec import LEAST_ACCURACY
 from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
 from viscodesign.storage.disk_arrays import blocks
 

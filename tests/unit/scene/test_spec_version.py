@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 import yaml
 
-from tests.scenes import leg
+from tests.scenes import CONFIGS, leg
+from viscodesign import load_robot, load_several
 from viscodesign.errors import SpecError
 from viscodesign.scene.reading.write import resolved_yaml
 
@@ -35,3 +38,13 @@ def test_another_version_is_refused_before_its_keys(given: str, words: str) -> N
         leg(f"spec={given}", "key_of_a_later_version=3")
     assert words in str(refusal.value)
     assert len(refusal.value.faults) == 1
+
+
+@pytest.mark.parametrize(
+    ("load_kind", "config"), [(load_robot, "hexapod"), (load_several, "three_legs")]
+)
+def test_other_kinds_of_spec_say_the_same_of_their_version(
+    load_kind: Callable[..., object], config: str
+) -> None:
+    with pytest.raises(SpecError, match="reads version 1 only. Install a newer viscodesign"):
+        load_kind(CONFIGS / f"{config}.yaml", ["spec=2"])
