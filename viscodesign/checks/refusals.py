@@ -11,11 +11,11 @@ import numpy as np
 
 from viscodesign.checks.extreme_numbers import extreme_numbers
 from viscodesign.checks.plausibility import impossible_values, plausibility_notices
+from viscodesign.checks.vacuum import vacuum_faults
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.scene.scene import Scene
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,8 @@ LIMITS = NumericLimits()
 def refuse_beyond_numbers(quantities: SceneQuantities) -> None:
     """Raise `SpecError` where sizes lie so far apart that no result would have a digit."""
     scene = quantities.scene
-    if extreme := [*extreme_numbers(scene), *_baseline(scene)]:
+    in_vacuum = vacuum_faults("gauge_pressure", scene.gauge_pressure, scene.ambient_pressure)
+    if extreme := [*extreme_numbers(scene), *in_vacuum]:
         raise SpecError(extreme)  # before anything is computed of them
     if faults := list(_numeric_faults(quantities)):
         raise SpecError(_with_likely_cause(faults, quantities))
@@ -83,18 +84,6 @@ def _numeric_faults(quantities: SceneQuantities) -> Iterator[Fault]:
             yield from effect.numeric_faults(quantities)
     yield from _rod(quantities)
     yield from _work(quantities)
-
-
-def _baseline(scene: Scene) -> Iterator[Fault]:
-    """A baseline without any absolute pressure left."""
-    gauge, ambient = scene.gauge_pressure, scene.ambient_pressure
-    if not gauge + ambient > 0.0:
-        yield Fault(
-            f"{gauge / 1e3:.6g} kPa gauge at an ambient_pressure of {ambient / 1e3:.6g} kPa is "
-            f"{(gauge + ambient) / 1e3:.4g} kPa absolute; must be above 0. Is one of them an "
-            "absolute pressure written as gauge, or a gauge pressure written as absolute?",
-            "gauge_pressure",
-        )
 
 
 def _sizes(quantities: SceneQuantities) -> Iterator[Fault]:

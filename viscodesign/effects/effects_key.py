@@ -60,7 +60,7 @@ class _CodeWalk(Walk):
 
     def _members(self, kind: type) -> Hashable:
         if not issubclass(kind, Effect | Input):
-            return kind
+            return _Same((kind,))
         members = {name: own for name, own in vars(kind).items() if not name.startswith(INTERNAL)}
         if _package(kind.__module__) != PACKAGE:
             return tuple((name, self.key_of(_plain(own))) for name, own in members.items())

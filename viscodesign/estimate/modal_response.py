@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.loops import native_loops
 from viscodesign.native.machine import this_machine
 from viscodesign.native.source.filters import NEARLY_ZERO
@@ -145,48 +146,59 @@ def second_order(
 
     ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s]. A rate of zero stays at zero.
     """
-    square = 1 - 4 * delay * rate
+    filters = _SecondOrder(delay, rate, time, drive, start)
+    square = filters.square
     found = np.zeros(drive.shape)
     for own, response in ((square < 0.0, _swinging), (square >= 0.0, _creeping)):
         own &= rate > 0.0
         if own.all():
-            return response(delay, rate, square, time, drive, start)
+            return response(filters)
         if own.any():
-            numbers = delay[own], rate[own], square[own]
-            found[:, own] = response(*numbers, time, drive[:, own], start)
+            found[:, own] = response(filters.some(own))
     return found
 
 
-def _swinging(
-    delay: np.ndarray,
-    rate: np.ndarray,
-    square: np.ndarray,
-    time: np.ndarray,
-    drive: np.ndarray,
-    start: FilterStart,
-) -> np.ndarray:
+@dataclass(frozen=True, eq=False)
+class _SecondOrder:
+    """Filters and what drives them (see `second_order`)."""
+
+    delay: np.ndarray
+    rate: np.ndarray
+    time: np.ndarray
+    drive: np.ndarray
+    start: FilterStart
+
+    @property
+    def square(self) -> np.ndarray:
+        """Square of the poles' distance from the middle, in parts of the middle (M,) [1]."""
+        return np.asarray(1 - 4 * self.delay * self.rate)
+
+    def some(self, own: np.ndarray) -> _SecondOrder:
+        """Some of the filters."""
+        drive = self.drive[:, own]
+        return _SecondOrder(self.delay[own], self.rate[own], self.time, drive, self.start)
+
+    def of_pole(self, pole: np.ndarray) -> np.ndarray:
+        """The response of first order with one pole of each (T, M, ...)."""
+        return _from_start(pole, self.time, self.drive, self.start)
+
+
+def _swinging(filters: _SecondOrder) -> np.ndarray:
     """Those with a pair of complex poles, of which one tells the other."""
-    del rate
-    root = np.maximum(np.sqrt(-square), LEAST_ROOT)
-    found = _from_start((1j * root - 1) / (2 * delay), time, drive, start)
-    return np.asarray(found.imag * _wide(2 / root, drive))
+    root = np.maximum(np.sqrt(-filters.square), LEAST_ROOT)
+    found = filters.of_pole((1j * root - 1) / (2 * filters.delay))
+    return np.asarray(found.imag * _wide(2 / root, filters.drive))
 
 
-def _creeping(
-    delay: np.ndarray,
-    rate: np.ndarray,
-    square: np.ndarray,
-    time: np.ndarray,
-    drive: np.ndarray,
-    start: FilterStart,
-) -> np.ndarray:
+def _creeping(filters: _SecondOrder) -> np.ndarray:
     """Those with two real poles."""
-    root = np.maximum(np.sqrt(square), LEAST_ROOT)
+    delay = filters.delay
+    root = np.maximum(np.sqrt(filters.square), LEAST_ROOT)
     fast = (-1 - root) / (2 * delay)
     # The slow root by Vieta: the difference would lose its digits.
-    slow = rate / (delay * fast)
-    late, early = (_from_start(pole, time, drive, start) for pole in (slow, fast))
-    return np.asarray((late - early) * _wide(1 / (delay * (slow - fast)), drive))
+    slow = filters.rate / (delay * fast)
+    late, early = (filters.of_pole(pole) for pole in (slow, fast))
+    return np.asarray((late - early) * _wide(1 / (delay * (slow - fast)), filters.drive))
 
 
 LEAST_ROOT = 1e-6
