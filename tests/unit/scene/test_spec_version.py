@@ -46,5 +46,5 @@ def test_another_version_is_refused_before_its_keys(given: str, words: str) -> N
 def test_other_kinds_of_spec_say_the_same_of_their_version(
     load_kind: Callable[..., object], config: str
 ) -> None:
-    with pytest.raises(SpecError, match="reads version 1 only. Install a newer viscodesign"):
+    with pytest.raises(SpecError, match=r"reads version 1 only\. Install"):
         load_kind(CONFIGS / f"{config}.yaml", ["spec=2"])
