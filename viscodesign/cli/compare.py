@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from viscodesign.cli.comparison_options import ComparisonOptions, rest_of
 from viscodesign.cli.options import (
     Debug,
     Force,
@@ -23,8 +24,7 @@ from viscodesign.cli.options import (
 )
 from viscodesign.cli.specs import STANDARD_INPUT, read_scene
 from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError
-from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.picture_options import PictureOptions, picture_options
+from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.run_comparison import Comparison
@@ -37,20 +37,6 @@ Examples:
   viscodesign compare straight.yaml crossed.yaml --set fluid=water
   viscodesign compare --figure 3 --set effects=auto
 """
-
-
-@dataclass(frozen=True)
-class ComparisonOptions:
-    """What the command line asks of a comparison."""
-
-    overrides: list[str]
-    verify: bool
-    plots: bool
-    report: bool
-    pictures: PictureOptions
-    force: bool
-    json: bool
-    quiet: bool
 
 
 class ComparedRunFailedError(ViscodesignError):
@@ -202,11 +188,6 @@ def _kept(compare: Callable[[], Comparison], folder: Path) -> Comparison:
         if stopped.comparison is None:
             raise InterruptedRunError(f"interrupted\n{rest_of(folder)}") from None
         return stopped.comparison
-
-
-def rest_of(folder: Path) -> str:
-    """Where to go on after an interrupt."""
-    return f"runs that are done are in {folder}; the same command reads them and does the others"
 
 
 def _end(found: Comparison, folder: Path) -> None:

@@ -6,16 +6,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from viscodesign.cli.comparison_options import ComparisonOptions, rest_of
 from viscodesign.errors import InterruptedRunError
 
 if TYPE_CHECKING:
-    from viscodesign.cli.compare import ComparisonOptions
     from viscodesign.results.paper_figure import PaperFigure
 
 
 def compare_figure(number: int, output: Path | None, options: ComparisonOptions) -> None:
     """Make a figure, write its files and tell its statements."""
-    from viscodesign.cli.compare import rest_of
     from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.templates import DEFAULT, templates

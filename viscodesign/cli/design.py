@@ -77,14 +77,14 @@ def command(
     from viscodesign.cli.option_values import positive_time
     from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.design_text import design_lines
     from viscodesign.report.design_folder import write_design
     from viscodesign.report.folder import new_folder
 
     seconds = None if budget is None else positive_time("--budget", budget)
-    folder = output if output is not None else Path("runs") / f"{folder_name(target.stem)}_design"
+    folder = named_folder(target.stem, output, "_design")
     with new_folder(folder, force=force), progress(quiet, first="designing") as advance:
 
         def tell(fraction: float, best_m: float) -> None:

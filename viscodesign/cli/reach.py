@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -84,7 +83,7 @@ def command(
     from viscodesign import reach as study_of
     from viscodesign.cli.option_values import pair, positive_time
     from viscodesign.cli.output import say_result
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.reach_text import reach_lines
@@ -95,7 +94,7 @@ def command(
     ends = None if limits is None else pair("--limits", limits, "Pa", "-25 kPa, 30 kPa")
     seconds = None if time is None else positive_time("--time", time)
     scene = read_scene(spec, overrides)
-    folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_reach"
+    folder = named_folder(scene.name, output, "_reach")
     with new_folder(folder, force=force):
         study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
     files = written(

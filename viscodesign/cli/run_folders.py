@@ -32,13 +32,18 @@ def folder_for(
     return (output if taken is None else folder_in(output, scene, taken)), ""
 
 
+def named_folder(name: str, output: Path | None, suffix: str = "") -> Path:
+    """The folder given by -o, or that of a name in `runs`, whatever is in it."""
+    return RUNS / (folder_name(name) + suffix) if output is None else output
+
+
 def own_folder(scene: Scene | SeveralScene, suffix: str = "") -> tuple[Path, str]:
     """The folder in `runs` for a scene, and what to say where that is not the plain one.
 
     Results of an equal scene are replaced there; those of another one with the same name stay
     (another file, other values by `--set`), and the next free number is taken.
     """
-    plain = RUNS / (folder_name(scene.name) + suffix)
+    plain = named_folder(scene.name, None, suffix)
     digest = resolved_sha256(scene)
     chosen = next(path for path in numbered(plain) if not holds_another(path, digest))
     if chosen == plain:

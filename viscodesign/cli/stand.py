@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -70,14 +69,14 @@ def command(
     pictures = picture_options(picture_format, style, width)
     from viscodesign import stand as study_of
     from viscodesign.cli.output import say_result
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.specs import read_robot
     from viscodesign.cli.texts.stand_text import stand_lines
     from viscodesign.report.folder import new_folder
     from viscodesign.report.stand_folder import write_stand
 
     scene = read_robot(spec, overrides)
-    folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_stand"
+    folder = named_folder(scene.name, output, "_stand")
     with new_folder(folder, force=force):
         study = study_of(scene, **({"height_ratios": crouch} if crouch else {}))
     files = write_stand(study, folder, plots=not no_plots, force=force, pictures=pictures)

@@ -102,7 +102,7 @@ def command(
     from viscodesign import sweep as solve
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.check_text import notice_lines
     from viscodesign.cli.texts.sweep_text import sweep_lines
@@ -112,7 +112,7 @@ def command(
     if metric not in METRIC_NAMES:
         raise UsageError(f"--metric: {not_among(metric, METRIC_NAMES)}")
     scene = read_scene(spec, overrides)
-    folder = output if output is not None else Path("runs") / f"{folder_name(scene.name)}_sweep"
+    folder = named_folder(scene.name, output, "_sweep")
     with progress(quiet, first="sweeping") as advance:
         found = solve(
             scene,

@@ -97,7 +97,7 @@ def walked(
     """The gait of a robot, the files that it is written to, and its lines of text."""
     from viscodesign import walk as study_of
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.texts.walk_text import walk_lines
     from viscodesign.report.film.film_plan import FilmOptions
     from viscodesign.report.folder import new_folder
@@ -105,7 +105,7 @@ def walked(
 
     if film is not None:
         FilmOptions().checked(film)
-    folder = output if output is not None else Path("runs") / folder_name(scene.name)
+    folder = named_folder(scene.name, output)
     with new_folder(folder, force=force), progress(quiet, "halving the step", "walking") as advance:
         study = study_of(scene, progress=advance)
     files = write_walk(study, folder, plots=plots, force=force, pictures=pictures)

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import (
     DESIGN_ALTERNATIVES,
     DESIGN_FILES,
-    draw_picture,
-    in_every_format,
     json_bytes,
     prepare_folder,
-    remove_files,
     text_bytes,
+    write_with_picture,
 )
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.path_design import PathDesign
-from viscodesign.storage.atomic_files import write_all, write_errors_as_usage
+from viscodesign.storage.atomic_files import write_errors_as_usage
 
 HISTORY_COLUMNS = ("evaluation", "wall_s", "rms_m", "graph")
 SPEC = "spec.yaml"
@@ -38,20 +35,20 @@ def write_design(
     """
     folder = prepare_folder(directory, force=force)
     others = folder / DESIGN_ALTERNATIVES
-    old = [folder / SPEC, *(folder / name for name in in_every_format([DESIGN_FILES.picture]))]
-    old += sorted(others.glob("alternative_*.yaml"))
+    old = [folder / SPEC, *sorted(others.glob("alternative_*.yaml"))]
     contents = _contents(found, folder)
     if any(path.parent == others for path in contents):
         with write_errors_as_usage(others):
             others.mkdir(exist_ok=True)
-    write_all(contents, first=lambda: remove_files(old))
-    if not plots:
-        return list(contents)
-    # Drawing is slow to import, and a design without a picture does not need it.
-    from viscodesign.report.charts.design import draw_design
 
-    file = folder / DESIGN_FILES.picture
-    return [*contents, draw_picture(partial(draw_design, found), file, pictures)]
+    def draw(path: Path) -> None:
+        # Drawing is slow to import, and a design without a picture does not need it.
+        from viscodesign.report.charts.design import draw_design
+
+        draw_design(found, path)
+
+    picture = folder / DESIGN_FILES.picture
+    return write_with_picture(contents, picture, draw if plots else None, pictures, old)
 
 
 def _contents(found: PathDesign, folder: Path) -> dict[Path, list[bytes]]:

@@ -65,11 +65,24 @@ class FileSet:
         """
         folder = prepare_folder(directory, force=force)
         contents = {folder / self.table: [table], folder / self.document: [json_bytes(document)]}
-        old = [folder / name for name in in_every_format([self.picture])]
-        write_all(contents, first=lambda: remove_files(old))
-        if draw is None:
-            return list(contents)
-        return [*contents, draw_picture(draw, folder / self.picture, pictures)]
+        return write_with_picture(contents, folder / self.picture, draw, pictures)
+
+
+def write_with_picture(
+    contents: Mapping[Path, Sequence[bytes]],
+    picture: Path,
+    draw: Callable[[Path], object] | None,
+    pictures: PictureOptions,
+    old: Iterable[Path] = (),
+) -> list[Path]:
+    """Write files, all or none, then their picture; returns all of them.
+
+    ``old`` files and the ``picture`` of every format are removed first; ``draw`` is None where
+    there is no picture.
+    """
+    former = [*old, *map(picture.with_name, in_every_format([picture.name]))]
+    write_all(contents, first=lambda: remove_files(former))
+    return [*contents, *([draw_picture(draw, picture, pictures)] if draw is not None else [])]
 
 
 def draw_picture(draw: Callable[[Path], object], file: Path, pictures: PictureOptions) -> Path:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -11,16 +10,13 @@ from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import (
     REACH_FILES,
     REACH_INPUT,
-    draw_picture,
-    in_every_format,
     json_bytes,
     prepare_folder,
-    remove_files,
     text_bytes,
+    write_with_picture,
 )
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.reach_study import ReachStudy
-from viscodesign.storage.atomic_files import write_all
 
 SPEC = "spec.yaml"
 
@@ -38,9 +34,7 @@ def write_reach(
     Table, document, and with a point its input and spec come together; then the picture.
     """
     folder = prepare_folder(directory, force=force)
-    old = [folder / name for name in in_every_format([REACH_FILES.picture])]
-    if study.point is not None:
-        old += [folder / REACH_INPUT, folder / SPEC]
+    old = [folder / REACH_INPUT, folder / SPEC] if study.point is not None else []
     contents = {
         folder / REACH_FILES.table: [csv_table(("inlets", "x_m", "z_m"), _rows(study))],
         folder / REACH_FILES.document: [json_bytes(study.document())],
@@ -50,14 +44,15 @@ def write_reach(
         rows = zip(own.times.tolist(), own.pressures.tolist(), strict=True)
         contents[folder / REACH_INPUT] = [csv_table(("time_s", "pressure_pa"), rows)]
         contents[folder / SPEC] = [text_bytes(own.spec_text)]
-    write_all(contents, first=lambda: remove_files(old))
-    if not plots:
-        return list(contents)
-    # Drawing is slow to import, and a study without a picture does not need it.
-    from viscodesign.report.charts.reach import draw_reach
 
-    file = folder / REACH_FILES.picture
-    return [*contents, draw_picture(partial(draw_reach, study), file, pictures)]
+    def draw(path: Path) -> None:
+        # Drawing is slow to import, and a study without a picture does not need it.
+        from viscodesign.report.charts.reach import draw_reach
+
+        draw_reach(study, path)
+
+    picture = folder / REACH_FILES.picture
+    return write_with_picture(contents, picture, draw if plots else None, pictures, old)
 
 
 def _rows(study: ReachStudy) -> list[tuple[int, float, float]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -13,17 +12,14 @@ from viscodesign.report.folder import (
     SUMMARY,
     WALK_PICTURE,
     WALK_TABLE,
-    draw_picture,
-    in_every_format,
     json_bytes,
     prepare_folder,
-    remove_files,
     text_bytes,
+    write_with_picture,
 )
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import WalkStudy
-from viscodesign.storage.atomic_files import write_all
 
 SPEC = "spec.yaml"
 
@@ -45,14 +41,14 @@ def write_walk(
         folder / SUMMARY: [json_bytes(study.document())],
         folder / SPEC: [text_bytes(study.spec_text)],
     }
-    old = [folder / name for name in in_every_format([WALK_PICTURE])]
-    write_all(contents, first=lambda: remove_files(old))
-    if not plots:
-        return list(contents)
-    # Drawing is slow to import, and a gait without a picture does not need it.
-    from viscodesign.report.charts.walk import draw_walk
 
-    return [*contents, draw_picture(partial(draw_walk, study), folder / WALK_PICTURE, pictures)]
+    def draw(path: Path) -> None:
+        # Drawing is slow to import, and a gait without a picture does not need it.
+        from viscodesign.report.charts.walk import draw_walk
+
+        draw_walk(study, path)
+
+    return write_with_picture(contents, folder / WALK_PICTURE, draw if plots else None, pictures)
 
 
 def _columns(motion: RobotMotion) -> Iterator[tuple[str, np.ndarray]]:

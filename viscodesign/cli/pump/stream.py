@@ -65,7 +65,7 @@ def command(
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.run_folders import folder_name
+    from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.specs import read_scene
     from viscodesign.cli.texts.live_view import live_view
     from viscodesign.pump import BoardAddress
@@ -82,7 +82,7 @@ def command(
         text = rehearse_stream(session).text
         document = {"status": "dry run", "lines": text.splitlines()}
         return say(json_text(document) if json else text)
-    folder = output or Path("runs") / f"{folder_name(scene.name)}-stream"
+    folder = named_folder(scene.name, output, "-stream")
     confirm = asking(yes=yes, quiet=quiet)
     with live_view(session.plan, session.settings, address.label, quiet) as show:
         report = session.perform(folder, confirm=confirm, tell=complain, on_tick=show)
