@@ -64,8 +64,8 @@ def test_tip_path_equals_the_golden_path(spec: Path, found: Trajectory, golden: 
     compare(tip_path(found), spec.stem, golden, found.accuracy.requested_m, found.length)
 
 
-def test_tip_paths_of_several_actuators_equal_the_golden_ones(golden: str) -> None:
-    (spec,) = SEVERAL_SPECS
+@pytest.mark.parametrize("spec", SEVERAL_SPECS, ids=lambda spec: spec.stem)
+def test_tip_paths_of_several_actuators_equal_the_golden_ones(spec: Path, golden: str) -> None:
     runs = simulate_several(load_several(spec)).runs
     paths = [tip_path(run).add_prefix(f"{name}_") for name, run in runs.items()]
     accuracy = min(run.accuracy.requested_m for run in runs.values())

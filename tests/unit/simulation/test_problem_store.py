@@ -58,7 +58,7 @@ def test_an_equal_scene_estimates_nothing(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def _heavier(self: Gravity, system: System) -> None:
-    weight = system.parameter("gravity.acceleration", FACTOR * self.acceleration)
+    weight = system.parameter("gravity.acceleration", FACTOR * self.pulls[0][0])
     for point in system.rod.masses():
         system.load_potential -= point.mass * weight * point.position[0]
 
@@ -77,7 +77,7 @@ def _reloaded_class(patch: pytest.MonkeyPatch) -> None:
 
 def _changed_options(patch: pytest.MonkeyPatch) -> None:
     """Options that no spec states."""
-    patch.setattr(Gravity, "of", classmethod(lambda cls, quantities: cls(FACTOR * 9.81, 0.5)))
+    patch.setattr(Gravity, "of", classmethod(lambda cls, quantities: cls(((FACTOR * 9.81, 0.5),))))
 
 
 def _changed_constant(patch: pytest.MonkeyPatch) -> None:
@@ -126,13 +126,13 @@ def test_an_effect_of_another_package_has_one_key_until_its_code_names_another_n
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     first, second = (
-        effects_key(SceneQuantities(scene), [_Foreign(9.81, 0.0)])
+        effects_key(SceneQuantities(scene), [_Foreign(((9.81, 0.0),))])
         for scene in (leg(*SHORT), leg(*SHORT))
     )
     assert first == second
     assert hash(first) == hash(second)
     monkeypatch.setitem(globals(), "FACTOR", 5.0)
-    assert effects_key(SceneQuantities(leg(*SHORT)), [_Foreign(9.81, 0.0)]) != first
+    assert effects_key(SceneQuantities(leg(*SHORT)), [_Foreign(((9.81, 0.0),))]) != first
 
 
 def test_a_choice_follows_the_code_that_it_was_made_with(monkeypatch: pytest.MonkeyPatch) -> None:
