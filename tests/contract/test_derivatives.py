@@ -93,16 +93,29 @@ def distance(
     columns: list[int],
 ) -> float:
     """Of some columns' rates from a central difference, over the largest one."""
-    ends = [
-        function.solve(ProblemNumbers(*(a + s * b for a, b in zip(numbers, own, strict=True))))
+    moved = [
+        ProblemNumbers(*(a + s * b for a, b in zip(numbers, own, strict=True)))
         for s in (change, -change, 2 * change, -2 * change)
     ]
+    ends = [function.solve(each) for each in moved]
     assert len({end.steps for end in ends}) == 1
+    check_side_by_side(function, moved, [end.columns for end in ends])
     sizes = sizes_of(function.columns, ends[0].columns)
     near, far = (ends[k].columns - ends[k + 1].columns for k in (0, 2))
     found = (8 * near - far) / (12 * change)  # without the error of second order
     apart = (np.abs(found - rate) / sizes)[:, columns]
     return float(np.max(apart) / np.max((np.abs(rate) / sizes)[:, columns]))
+
+
+def check_side_by_side(
+    function: MotionFunction, moved: list[ProblemNumbers], alone: list[np.ndarray]
+) -> None:
+    """Rows that are solved at once have the columns that each has alone."""
+    if function.side_by_side is not None:
+        rows = ProblemNumbers(*(np.array(parts) for parts in zip(*moved, strict=True)))
+        solved = function.side_by_side.solve(rows)
+        assert len(solved.rows) == len(moved)
+        np.testing.assert_array_equal(solved.columns, alone)
 
 
 def sizes_of(names: tuple[str, ...], columns: np.ndarray) -> np.ndarray:

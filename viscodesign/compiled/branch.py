@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from viscodesign.compiled.problem_trace import ProblemTrace
+from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.errors import Fault
 from viscodesign.lazy_dataclass import dataclass
 
@@ -30,6 +31,10 @@ class ProblemNumbers(NamedTuple):
     """Those of one period of the inputs, where a run starts on its limit cycle; else none."""
     cycle_stops: np.ndarray = np.zeros(0)
     """The same of one period [s]."""
+
+    def row(self, k: int | np.ndarray) -> ProblemNumbers:
+        """One of several rows of numbers, which are one axis more in front; or some of them."""
+        return ProblemNumbers(*(np.ascontiguousarray(part[k]) for part in self))
 
     def zeros(self) -> ProblemNumbers:
         """As many numbers, all zero."""
@@ -129,17 +134,22 @@ class Branch:
         self._rows, self._columns = np.array(rows, dtype=int), np.array(columns, dtype=int)
         margins = trace.tape.margins()
         self._conditions = margins.numel()
-        self._all = ca.Function("all", [symbols], [ca.vertcat(margins, flat)])
+        self._all = RowFunction([symbols], ca.vertcat(margins, flat), is_merged=False)
         self._slopes = ca.Function("slopes", [symbols], [ca.densify(slopes.nz[:])])
         self.is_used = np.bincount(self._columns, minlength=symbols.numel()) > 0
         """(f,) Whether anything depends on each of the free numbers."""
 
     def at(self, values: np.ndarray) -> ProblemNumbers | None:
         """The numbers at values (f,); None where other formulas hold."""
-        found = self._all(values).full().ravel()
-        if not np.all(found[: self._conditions] >= 0.0):
-            return None
-        return unflattened(found[self._conditions :], self._shapes)
+        is_valid, numbers = self.rows(values[None])
+        return numbers.row(0) if is_valid[0] else None
+
+    def rows(self, values: np.ndarray) -> tuple[np.ndarray, ProblemNumbers]:
+        """Whether these formulas hold (m,), and the numbers, for m rows of values (m, f)."""
+        found = self._all(values)
+        margins, flat = np.split(found, [self._conditions], axis=1)
+        rows = ProblemNumbers(*(np.moveaxis(p, -1, 0) for p in unflattened(flat.T, self._shapes)))
+        return np.all(margins >= 0.0, axis=1), rows
 
     def slopes(self, values: np.ndarray) -> NumberSlopes:
         """Their derivatives."""

@@ -83,6 +83,20 @@ class FreeKeys:
         """(f,) The scene's own numbers [SI]."""
         return np.array([number.value for number in self.numbers])
 
+    def are_allowed(self, values: np.ndarray) -> np.ndarray:
+        """Whether rows of values (m, f) are finite and within the ranges of the spec (m,)."""
+        low, high, excludes_low, excludes_high = self._bounds
+        above = np.where(excludes_low, values > low, values >= low)
+        below = np.where(excludes_high, values < high, values <= high)
+        return np.asarray(np.all(above & below & np.isfinite(values), axis=1))
+
+    @cached_property
+    def _bounds(self) -> tuple[np.ndarray, ...]:
+        """Of all free numbers (f,) each: low, high, and whether these are excluded."""
+        bounds = [number.bounds for number in self.numbers]
+        ends = [(b.low, b.high, b.excludes_low, b.excludes_high) for b in bounds]
+        return tuple(np.array(part) for part in zip(*ends, strict=True))
+
     def placed(self, values: Sequence[Any] | np.ndarray) -> Scene:
         """The scene with other values, not validated; they may be any kind of number."""
         tree: dict[str, Any] = {}

@@ -11,12 +11,21 @@ import numpy as np
 
 from viscodesign.checks.contact import refuse_contact
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
+from viscodesign.compiled.batch import (
+    COMPLETE,
+    BatchRow,
+    Outputs,
+    batch_of,
+    in_parts,
+)
+from viscodesign.compiled.batch import Batch as Batch
 from viscodesign.compiled.free_keys import over_one_period
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
 from viscodesign.compiled.outputs import ChosenOutputs
 from viscodesign.compiled.reading import Members
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
+from viscodesign.compiled.side_by_side import SideBySide
 from viscodesign.compiled.solution import MotionFunction
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SpecError, ViscodesignError, did_you_mean
@@ -42,8 +51,6 @@ class Labelled(Protocol):
 
 
 Values = Sequence[float] | np.ndarray | Labelled
-Outputs = dict[str, Any]
-"""Each output's array over the output times (T,), or its number."""
 LARGEST_TOLERANCE = 1.0
 """Largest tolerance of the steps, relative to the unknowns' sizes."""
 MOST_EDGES = 64
@@ -71,6 +78,10 @@ class DifferentiableMotion(Protocol):
 
     times: np.ndarray
 
+    @property
+    def side_by_side(self) -> SideBySide | None:
+        """Solves many rows of numbers at once, if anything does."""
+
     def solve(self, numbers: ProblemNumbers, *, recorded: bool = True) -> Any: ...
 
     def pull_back(
@@ -80,19 +91,6 @@ class DifferentiableMotion(Protocol):
     def push_forward(
         self, solved: Any, numbers: ProblemNumbers, dots: ProblemNumbers
     ) -> np.ndarray: ...
-
-
-@dataclass(frozen=True, eq=False)
-class Batch:
-    """Outputs of many rows of values."""
-
-    outputs: Outputs
-    """Each output with one more axis in front, the rows; NaN where a row failed."""
-    status: list[str]
-    """Status of every row: "complete", or why it failed."""
-
-    def __getitem__(self, name: str) -> np.ndarray:
-        return np.asarray(self.outputs[name])
 
 
 @dataclass(frozen=True)
@@ -267,23 +265,48 @@ class CompiledFunction:
         """
         if isinstance(rows, Labelled):
             rows = list(np.transpose([np.asarray(rows[name]) for name in self._only_known(rows)]))
+        parts = in_parts(list(rows), self._motion.times.size * self._built[3].unknowns, workers)
         if workers is None or workers <= 1:
-            found = list(map(self._row, rows))
+            found = list(map(self._some_rows, parts))
         else:
             with ThreadPoolExecutor(workers) as pool:
-                found = list(pool.map(self._row, rows))
-        blank = self._chosen.blank()
-        outputs = {
-            name: np.array([(own or blank)[name] for own, _ in found]) for name in self.outputs
-        }
-        return Batch(outputs, [status for _, status in found])
+                found = list(pool.map(self._some_rows, parts))
+        return batch_of([row for part in found for row in part], self._chosen.blank())
 
-    def _row(self, values: Values) -> tuple[Outputs | None, str]:
+    def _some_rows(self, rows: Sequence[Values]) -> list[BatchRow]:
+        """Rows of a batch: side by side where that can be, else one by one."""
+        solved = self._solved_together(rows)
+        return [
+            self._row(values) if columns is None else self._read_row(values, columns)
+            for values, columns in zip(rows, solved, strict=True)
+        ]
+
+    def _solved_together(self, rows: Sequence[Values]) -> list[np.ndarray | None]:
+        """Columns (T, c) of every row; None of those that are to be solved alone."""
+        found: list[np.ndarray | None] = [None] * len(rows)
+        together = self._motion.side_by_side
+        if together is None or len(rows) == 1:
+            return found
+        try:
+            given = np.array([self._array(values) for values in rows])
+            given = given.reshape(len(rows), len(self.names))
+            for places, numbers in self._numbers.rows_at(given):
+                solved = together.solve(numbers)
+                for k, columns in zip(places[solved.rows], solved.columns, strict=True):
+                    found[k] = columns
+        except (ViscodesignError, ValueError, NativeUnavailable):
+            return found  # alone, each row tells what is wrong with it
+        return found
+
+    def _row(self, values: Values) -> BatchRow:
         try:
             solved = self._solve(self._array(values), recorded=False)
         except ViscodesignError as error:
             return None, str(error)
-        return self._chosen.read(solved.solution.columns, solved.period), "complete"
+        return self._chosen.read(solved.solution.columns, solved.period), COMPLETE
+
+    def _read_row(self, values: Values, columns: np.ndarray) -> BatchRow:
+        return self._chosen.read(columns, self._period(self._array(values))), COMPLETE
 
     # -- what else can be asked -----------------------------------------------------
 
@@ -353,7 +376,7 @@ class CompiledFunction:
         """Values in order (f,)."""
         if values is None:
             return self.values
-        if isinstance(values, Labelled):
+        if not isinstance(values, np.ndarray) and isinstance(values, Labelled):
             own = dict(zip(self.names, self._numbers.values.tolist(), strict=True))
             given = [values[name] for name in self._only_known(values)]
             own |= dict(zip(values.keys(), given, strict=True))

@@ -62,6 +62,8 @@ class IntegratedMotion:
         self.times = self._times.own
         """(T,) output times of the problem itself [s]."""
         self._reading = Reading(problem, members, columns)
+        self.side_by_side = None
+        """Rows are solved one by one."""
         if not problem.equations.states.count:
             self._differentiate()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -16,23 +17,37 @@ def problem_at(problem: Problem, times: np.ndarray, numbers: ProblemNumbers) -> 
     """The problem with other numbers, solved at the output times (T,) and at the stops."""
     schedule = Schedule.of(times, numbers.stops, numbers.pieces, numbers.initial_piece)
     equations = problem.equations.shared.with_numbers(numbers.parameters)
-    amounts = equations.rest_amounts / problem.equations.rest_amounts
+    names = parameter_names(equations)
+    ambient, baseline = (
+        float(numbers.parameters[names.index(name)])
+        for name in ("ambient_pressure", "gauge_pressure")
+    )
+    limits = _limits(problem, equations.rest_amounts, ambient)
+    return replace(problem, equations=equations, schedule=schedule, baseline=baseline, **limits)
+
+
+def strictest(problem: Problem, rest_amounts: np.ndarray, parameters: np.ndarray) -> Problem:
+    """The problem with the strictest limits of m rows of parameters (m, p).
+
+    ``rest_amounts`` (m, k): `Equations.rest_amounts` by them.
+    """
+    ambient = parameters[:, parameter_names(problem.equations).index("ambient_pressure")]
+    return replace(problem, **_limits(problem, rest_amounts.max(axis=0), float(ambient.min())))
+
+
+def _limits(problem: Problem, rest_amounts: np.ndarray, ambient: float) -> dict[str, Any]:
+    """Volumes, and what ends a run, by contents at zero gauge [m3] and the ambient [Pa]."""
+    amounts = rest_amounts / problem.equations.rest_amounts
     grown, own = float(amounts[0]), amounts[problem.places]
     rest, floor, drawing = problem.rest_volume, problem.floor_volume, problem.drawing
-    names = parameter_names(equations)
     if drawing is not None:
         least = drawing.least_volume
-        vacuum = -float(numbers.parameters[names.index("ambient_pressure")])
-        drawing = DrawingLimits(vacuum, None if least is None else grown * least)
-    return replace(
-        problem,
-        equations=equations,
-        schedule=schedule,
-        rest_volume=(own if isinstance(rest, np.ndarray) else grown) * rest,
-        floor_volume=own * floor if isinstance(floor, np.ndarray) else floor and grown * floor,
-        drawing=drawing,
-        baseline=float(numbers.parameters[names.index("gauge_pressure")]),
-    )
+        drawing = DrawingLimits(-ambient, None if least is None else grown * least)
+    return {
+        "rest_volume": (own if isinstance(rest, np.ndarray) else grown) * rest,
+        "floor_volume": own * floor if isinstance(floor, np.ndarray) else floor and grown * floor,
+        "drawing": drawing,
+    }
 
 
 def cycle_at(problem: Problem, numbers: ProblemNumbers) -> Problem:

@@ -46,12 +46,14 @@ class Reading:
     """
 
     def __init__(self, problem: Problem, members: Members, columns: Sequence[str]) -> None:
-        symbols = Symbols.of(problem)
+        symbols, self._states = Symbols.of(problem), problem.equations.states.count
         own = _in_order(problem, symbols.outputs(problem), symbols.parameters)
         places = places_of(problem, members)
         result = ca.vertcat(SX(0, 1), *(own[places[c][0]][places[c][1]] for c in columns))
+        self.endings = Endings(problem, symbols)
         self._function = RowFunction(symbols.row, result, shared=1)
-        self._endings = Endings(problem)
+        both = ca.vertcat(result, self.endings.formulas)
+        self._with_endings = RowFunction(symbols.row, both, shared=1)
 
     def __call__(
         self, problem: Problem, times: np.ndarray, numbers: ProblemNumbers, unknowns: np.ndarray
@@ -60,11 +62,18 @@ class Reading:
 
         Raises `SolveError` where the motion has lost its meaning.
         """
-        states = problem.equations.states.count
-        x, z = unknowns[:, :states], unknowns[:, states:]
+        read, looked_at = self.read(times, numbers, unknowns)
+        self.endings.check(problem, times, looked_at)
+        return read
+
+    def read(
+        self, times: np.ndarray, numbers: ProblemNumbers, unknowns: np.ndarray
+    ) -> tuple[ReadColumns, np.ndarray]:
+        """Columns of unknowns (T, nx + nz) at times (T,), and what `endings` looks at (T, k)."""
+        x, z = np.split(unknowns, [self._states], axis=1)
         rows = [x, z, times, numbers.pieces[stretch_of(times, numbers)], numbers.parameters]
-        self._endings.check(problem, times, rows)
-        return ReadColumns(rows, self._function(*rows))
+        columns, looked_at = np.split(self._with_endings(*rows), [self._function.size], axis=1)
+        return ReadColumns(rows, columns), looked_at
 
     def pull_back(self, rows: Sequence[np.ndarray], weights: np.ndarray) -> list[np.ndarray]:
         """Slopes of weights (T, columns) times columns, one array per argument."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -83,14 +83,28 @@ class SceneNumbers:
         if given.shape != self.values.shape:
             message = f"expected {len(self.values)} values, one for each free number"
             raise SpecError.plain(f"{message}; got an array of shape {given.shape}")
-        faults = [n.fault(float(v)) for n, v in zip(self.keys.numbers, given, strict=True)]
-        if found := [fault for fault in faults if fault is not None]:
-            raise SpecError(found)
+        if not self.keys.are_allowed(given[None])[0]:
+            faults = [n.fault(float(v)) for n, v in zip(self.keys.numbers, given, strict=True)]
+            raise SpecError([fault for fault in faults if fault is not None])
         return self._numbers(given)[1]
 
     def at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
         """The numbers of the problem at values (f,) that `check` accepts."""
         return self._numbers(np.asarray(values, dtype=float))[1]
+
+    def rows_at(self, values: np.ndarray) -> Iterator[tuple[np.ndarray, ProblemNumbers]]:
+        """Rows of values (m, f) that known formulas hold for, and their numbers side by side.
+
+        Rows that are left out are such as `checked_at` refuses or makes formulas for.
+        """
+        left = np.flatnonzero(self.keys.are_allowed(values))
+        for branch in self._branches:
+            if not len(left):
+                return
+            is_valid, numbers = branch.rows(values[left])
+            if is_valid.any():
+                yield left[is_valid], numbers.row(is_valid)
+            left = left[~is_valid]
 
     def jacobian_at(self, values: Sequence[float] | np.ndarray) -> ProblemNumbers:
         """Their derivatives, each with one more axis of length f."""

@@ -12,13 +12,16 @@ from viscodesign.compiled.output_times import OutputTimes
 from viscodesign.compiled.problem_at import problem_at, stretch_of
 from viscodesign.compiled.reading import Members, ReadColumns, Reading
 from viscodesign.compiled.scene_numbers import ProblemNumbers
+from viscodesign.compiled.side_by_side import SideBySide
 from viscodesign.compiled.start import StartFunction
 from viscodesign.compiled.stretch_slopes import StretchDots, StretchSlopes
 from viscodesign.compiled.stretches import SolvedStretches, Stretches, TakenStretch
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.solvers.rodas_native import NativeSteps
 from viscodesign.solve.statics import Instant, Start
+from viscodesign.storage.cached_property import cached_property
 
 
 class FoundStart(Protocol):
@@ -87,10 +90,11 @@ class MotionFunction:
         self.times = self._times.own
         """(T,) output times of the problem itself [s]."""
         self._stretches, self._slopes = Stretches(problem, tolerance), StretchSlopes(problem)
-        steady = StartFunction(problem, steady=start != "rest")
-        self._start: RunStart = steady
+        self._steady = StartFunction(problem, steady=start != "rest")
+        self._start: RunStart = self._steady
+        self._is_straight = start == "equilibrium" and not follow
         if start == "periodic":
-            self._start = CycleStart(steady, self._stretches, self._slopes, tolerance)
+            self._start = CycleStart(self._steady, self._stretches, self._slopes, tolerance)
         self.reading = Reading(problem, members, columns)
 
     # -- values -------------------------------------------------------------------
@@ -108,6 +112,14 @@ class MotionFunction:
         run = self._stretches.over(steps, *own, recorded=recorded)
         read = self.reading(problem, times, numbers, run.columns)
         return SolvedMotion(problem, found, run, read)
+
+    @cached_property
+    def side_by_side(self) -> SideBySide | None:
+        """Solves many rows of numbers at once; None where each needs a way of its own."""
+        if not self._is_straight or self._problem.equations.rod_form is RodForm.STATIC:
+            return None
+        given = self._problem, self._tolerance, self.times
+        return SideBySide(*given, self._steady, self.reading)
 
     def begin(self, steps: NativeSteps, numbers: ProblemNumbers) -> np.ndarray:
         """Consistent unknowns (n,) at the start of a run."""

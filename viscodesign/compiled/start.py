@@ -15,7 +15,8 @@ from viscodesign.model.equations import LEADING_QUANTITIES, Equations
 from viscodesign.model.network_equations import BELLOW_AMOUNTS, BELLOW_PRESSURES
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.unknowns import Block, Unknowns
-from viscodesign.solve.branch_following import branch_acceptance
+from viscodesign.native.algebraic_part import solve_each
+from viscodesign.solve.branch_following import on_same_branch
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, rest, static_equilibrium
 
@@ -54,53 +55,72 @@ class StartFunction:
         self._start = RowFunction(arguments, start, is_merged=False)
         slopes = ca.jacobian(residual, unknowns)
         self._pattern = slopes.sparsity()
+        self._places = tuple(np.array(k, dtype=int) for k in self._pattern.get_triplet())
         entries = ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:]))
         self._slopes = RowFunction(arguments, entries, is_merged=False)
         piece_now = problem.schedule.initial_piece
         self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None
+        self._statics, self._stability = problem.equations.statics, problem.static_stability
 
     def __call__(self, problem: Problem, numbers: ProblemNumbers) -> FoundEquilibrium:
         """Raises `SolveError` where there is none."""
         piece = numbers.initial_piece
         if self._near is not None:
-            unknowns = self._nearby(problem, self._near)
-            if unknowns is None:
-                unknowns = static_equilibrium(problem, 0.0, piece)
-            rows = self._rows(problem, unknowns)
+            rows = piece[None], problem.equations.parameter_values[None]
+            unknowns, is_found = self._nearby(*rows)
+            if not is_found[0]:
+                unknowns = static_equilibrium(problem, 0.0, piece)[None]
+            start = self._start(unknowns, *rows)[0]
             states = problem.equations.states.count
-            return FoundEquilibrium(Start(*np.split(self._start(*rows)[0], [states])), unknowns)
+            return FoundEquilibrium(Start(*np.split(start, [states])), unknowns[0])
         start = rest(problem, piece)
         return FoundEquilibrium(start, _rest_unknowns(problem, start))
 
-    def _nearby(self, problem: Problem, near: np.ndarray) -> np.ndarray | None:
-        """The equilibrium on the same branch as one of other numbers; None if it is too far."""
-        if any(b.traits.is_multivalued for b in problem.equations.statics.blocks.values()):
-            return None
-        y = near
+    def near(self, pieces: np.ndarray, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Starts (m, nx + nz) of m rows of inlet coefficients and parameters, and which count (m,).
+
+        Those that do not are too far from the one that this was made near, or at rest.
+        """
+        if self._near is None:
+            count = self._start.size
+            return np.zeros((len(pieces), count)), np.zeros(len(pieces), dtype=bool)
+        unknowns, is_found = self._nearby(pieces, parameters)
+        return self._start(unknowns, pieces, parameters), is_found
+
+    def _nearby(self, pieces: np.ndarray, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Equilibria (m, nu) on the same branch as one of other numbers, and which count (m,)."""
+        assert self._near is not None, "a start at rest has none"
+        y = np.repeat(self._near[None], len(pieces), axis=0)
+        is_found, still = np.zeros(len(y), dtype=bool), np.arange(len(y))
+        if any(b.traits.is_multivalued for b in self._statics.blocks.values()):
+            return y, is_found
         for _ in range(MAX_CORRECTIONS):
-            rows = self._rows(problem, y)
-            try:
-                step = np.linalg.solve(self._jacobian(rows), self._residual(*rows)[0])
-            except np.linalg.LinAlgError:
-                return None
-            y = y - step
-            size = float(np.max(np.abs(step), initial=0.0))
-            if size <= CONVERGED:
-                return y if self._is_accepted(problem, near, y) else None
-            if not size < np.inf:
-                return None
-        return None
+            rows = [y[still], pieces[still], parameters[still]]
+            step = solve_each(self._jacobians(rows), self._residual(*rows))
+            y[still] -= step
+            sizes = np.max(np.abs(step), axis=1, initial=0.0)
+            is_found[still[sizes <= CONVERGED]] = True
+            still = still[(sizes > CONVERGED) & (sizes < np.inf)]
+            if not len(still):
+                break
+        found = np.flatnonzero(is_found)
+        is_found[found] = self._are_accepted(y[found], pieces[found], parameters[found])
+        return y, is_found
 
-    def _is_accepted(self, problem: Problem, near: np.ndarray, found: np.ndarray) -> bool:
-        """Whether an equilibrium is stable, and near another."""
-        accept = branch_acceptance(problem.equations.statics, problem.static_stability)
-        entries = self._slopes(*self._rows(problem, found))[0]
-        return accept((near,), found, ca.DM(self._pattern, entries))
+    def _are_accepted(
+        self, found: np.ndarray, pieces: np.ndarray, parameters: np.ndarray
+    ) -> np.ndarray:
+        """Whether equilibria are stable, and near that of other numbers (m,)."""
+        span, near = self._statics.branch_span, self._near
+        if self._stability is None or span is None or near is None or not len(found):
+            return np.ones(len(found), dtype=bool)
+        is_near = [on_same_branch(span, (near,), own) for own in found]
+        return self._stability.are_stable(self._slopes(found, pieces, parameters)) & is_near
 
-    def _jacobian(self, rows: list[np.ndarray]) -> np.ndarray:
-        """(nu, nu) of the implicit equations."""
-        found = np.zeros(self._pattern.shape)
-        found[tuple(self._pattern.get_triplet())] = self._slopes(*rows)[0]
+    def _jacobians(self, rows: list[np.ndarray]) -> np.ndarray:
+        """(m, nu, nu) of the implicit equations."""
+        found = np.zeros((len(rows[0]), *self._pattern.shape))
+        found[:, self._places[0], self._places[1]] = self._slopes(*rows)
         return found
 
     def pull_back(
@@ -145,7 +165,7 @@ class StartFunction:
     ) -> np.ndarray:
         if not right.size:
             return right
-        slopes = self._jacobian(rows)
+        (slopes,) = self._jacobians(rows)
         try:
             return np.linalg.solve(slopes.T if transposed else slopes, right)
         except np.linalg.LinAlgError as error:

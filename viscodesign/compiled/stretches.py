@@ -97,8 +97,8 @@ class Stretches:
         """
         size, taken, unknowns = None, 0, steps.problem.unknowns
         stretches, columns = [], [np.zeros((0, unknowns))]
-        for k, outputs in enumerate(_outputs_between(stops, times)):
-            edges = _edges(stops, k, times[outputs])
+        for k, outputs in enumerate(outputs_between(stops, times)):
+            edges = edges_of(stops, k, times[outputs])
             before = (float(stops[k]), pieces[k - 1]) if k else None
             own = (float(stops[k]), pieces[k])
             part = self.advance(
@@ -193,13 +193,13 @@ class Stretches:
                 raise _stopped(state.time, status is MarchStatus.STEP_LIMIT)
 
 
-def _outputs_between(stops: np.ndarray, times: np.ndarray) -> list[slice]:
+def outputs_between(stops: np.ndarray, times: np.ndarray) -> list[slice]:
     """Which output times each stretch has; that at its start belongs to none."""
     ends = np.searchsorted(times, stops + SAME_TIME * stops[-1], side="right").tolist()
     return [slice(i, j) for i, j in itertools.pairwise(ends)]
 
 
-def _edges(stops: np.ndarray, k: int, times: np.ndarray) -> np.ndarray:
+def edges_of(stops: np.ndarray, k: int, times: np.ndarray) -> np.ndarray:
     """Output times (T,) of a stretch, and its end where that is none."""
     end = stops[k + 1]
     if len(times) and end - times[-1] <= SAME_TIME * stops[-1]:

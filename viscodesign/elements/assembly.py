@@ -26,6 +26,7 @@ from viscodesign.native.derivatives import Differentiable
 from viscodesign.native.kernels import LANES, CompiledKernels, Wanted, compile_if_missing
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly, ElementTable, SourceTable
+from viscodesign.native.tape import OperationTape, tape_of
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
@@ -149,10 +150,22 @@ class CompiledForm:
 
     def bound(self, parameters: np.ndarray) -> Assembly:
         """The elements with the numbers of a scene; owned by one user at a time."""
-        numbers = np.array(self.form.numbers(parameters)).ravel()
         assembly = self._blank.copy()
-        assembly.all_numbers[:] = numbers[self.places_of_numbers]
+        assembly.all_numbers[:] = self.numbers_of(parameters[None])[0]
         return assembly
+
+    def numbers_of(self, parameters: np.ndarray) -> np.ndarray:
+        """The numbers of the assembly (m, nn) for the parameters of m scenes (m, p)."""
+        if self._tape is None:
+            found = np.array([np.array(self.form.numbers(row)).ravel() for row in parameters])
+        else:
+            (found,) = self._tape([parameters], len(parameters))
+        return np.take(found, self.places_of_numbers, axis=1)
+
+    @cached_property
+    def _tape(self) -> OperationTape | None:
+        """The formulas of all numbers."""
+        return tape_of(self.form.numbers)
 
     @cached_property
     def places_of_numbers(self) -> np.ndarray:

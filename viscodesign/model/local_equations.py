@@ -9,6 +9,8 @@ import casadi as ca
 from viscodesign.elements.assembly import CompiledForm
 from viscodesign.elements.local_form import LocalForm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.taped_function import TapedFunction, TapeWithPatterns
+from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
 
@@ -26,6 +28,13 @@ class LocalEquations:
     def sums(self) -> int:
         """How many unknowns the formulas do not have."""
         return self.form.size - self.form.balances.unknowns_of_formulas
+
+    @cached_property
+    def start_by_tape(self) -> TapedFunction:
+        """`start` for numbers, all of its results."""
+        given = self.start.sx_in()
+        dense = ca.Function("start", given, [ca.densify(self.start.call(given)[0])])
+        return TapedFunction(TapeWithPatterns.of(dense), lambda: dense)
 
     @property
     def compiled(self) -> CompiledForm:

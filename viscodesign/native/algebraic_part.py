@@ -56,6 +56,24 @@ class AlgebraicPart:
 
         return solve
 
+    def steps(self, J: np.ndarray, residual: np.ndarray) -> np.ndarray:
+        """Newton's steps (m, n) of m rows with entries J (m, nnz or more) and residuals (m, n).
+
+        NaN where the equations are singular.
+        """
+        found, right = np.zeros(residual.shape), -residual[:, self.is_algebraic]
+        if self._count > MAX_DENSE:
+            for k, entries in enumerate(J):
+                try:
+                    found[k, self.is_algebraic] = self.solver(entries)(right[k], transposed=False)
+                except ZeroDivisionError:
+                    found[k] = np.nan
+            return found
+        matrices = np.zeros((len(J), self._count, self._count))
+        matrices[:, self._rows, self._columns] = J[:, self._kept]
+        found[:, self.is_algebraic] = solve_each(matrices, right)
+        return found
+
     def corrected(self, assembly: Assembly, Y: np.ndarray) -> np.ndarray | None:
         """Unknowns (n,) from a guess in Y, whose drives are set, by Newton's steps.
 
@@ -78,6 +96,18 @@ class AlgebraicPart:
                 return Y[: assembly.unknowns]
             before = size
         return None
+
+
+def solve_each(matrices: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Solutions (m, n) of full matrices (m, n, n) and right sides (m, n); NaN where singular."""
+    try:
+        return np.asarray(np.linalg.solve(matrices, right[..., None])[..., 0])
+    except np.linalg.LinAlgError:
+        if len(matrices) == 1:
+            return np.full(right.shape, np.nan)
+    return np.concatenate(
+        [solve_each(m[None], r[None]) for m, r in zip(matrices, right, strict=True)]
+    )
 
 
 def _sparse_solver(

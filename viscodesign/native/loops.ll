@@ -1,4 +1,4 @@
-; made from 3d7c5346d26af0ea4eadcd17b5e2574467ec4635f74dc29f49980052f4725b5c
+; made from e11f1a684d7c59f194a3920991c93590a5ed79c8b82a8a7b262a758c6a711c6b
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -3832,14 +3832,724 @@ B214.if:
   br i1 %exitcond123.not, label %B288, label %B214.if
 }
 
-define i64 @lu_solve_transposed(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+define i64 @sums_of_rows(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, i64 %a5, i64 %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @lu_solve_transposed.32(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @sums_of_rows.32(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, i64 %a5, i64 %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13)
   ret i64 0
 }
 
-define internal i32 @lu_solve_transposed.32(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
+define internal i32 @sums_of_rows.32(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, i64 %arg.count, i64 %arg.own, ptr noalias %arg.numbers, i64 %arg.length, ptr noalias %arg.Y, ptr noalias %arg.J, ptr noalias %arg.r, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.189 = alloca ptr, align 8
+  store ptr null, ptr %.189, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.224 = alloca ptr, align 8
+  store ptr null, ptr %.224, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.262 = alloca ptr, align 8
+  store ptr null, ptr %.262, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.45 = getelementptr i8, ptr %arg.layout, i64 16
+  %.46 = load i64, ptr %.45, align 8
+  %.47 = add nsw i64 %.46, 1
+  %.49 = getelementptr i8, ptr %arg.layout, i64 24
+  %.50 = load i64, ptr %.49, align 8
+  %.51 = add nsw i64 %.47, %.50
+  %.13644.not = icmp slt i64 %arg.count, 1
+  br i1 %.13644.not, label %B412, label %B94.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B412 ], [ %.266, %B96.endif.endif.if ], [ %.228, %B96.endif.if ], [ %.193, %B96.if ]
+  ret i32 %common.ret.op
+
+B412:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B94.if:
+  %.78.045 = phi i64 [ %.149, %B96.endif.endif.endif ], [ 0, %entry ]
+  %.149 = add nuw nsw i64 %.78.045, 1
+  %.175 = mul nsw i64 %.78.045, %arg.own
+  %.177 = getelementptr double, ptr %arg.numbers, i64 %.175
+  %.179 = mul nsw i64 %.78.045, %arg.length
+  %.181 = getelementptr double, ptr %arg.Y, i64 %.179
+  store ptr null, ptr %.189, align 8
+  %.193 = call i32 @drive.6(ptr nonnull %.189, ptr nonnull %excinfo.1, ptr %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %.177, ptr %.181, ptr %arg.local, ptr %arg.out)
+  switch i32 %.193, label %B96.if [
+    i32 -2, label %B96.endif
+    i32 0, label %B96.endif
+  ]
+
+B96.if:
+  %.201 = icmp sgt i32 %.193, 0
+  %.194 = load ptr, ptr %excinfo.1, align 8
+  %.202 = select i1 %.201, ptr %.194, ptr undef
+  store ptr %.202, ptr %excinfo, align 8
+  br label %common.ret
+
+B96.endif:
+  %.215 = mul nsw i64 %.78.045, %.51
+  %.217 = getelementptr double, ptr %arg.J, i64 %.215
+  store ptr null, ptr %.224, align 8
+  %.228 = call i32 @jacobian.4(ptr nonnull %.224, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %.177, ptr %.181, ptr %.217, ptr %arg.local, ptr %arg.out)
+  switch i32 %.228, label %B96.endif.if [
+    i32 -2, label %B96.endif.endif
+    i32 0, label %B96.endif.endif
+  ]
+
+B96.endif.if:
+  %.236 = icmp sgt i32 %.228, 0
+  %.229 = load ptr, ptr %excinfo.2, align 8
+  %.237 = select i1 %.236, ptr %.229, ptr undef
+  store ptr %.237, ptr %excinfo, align 8
+  br label %common.ret
+
+B96.endif.endif:
+  %.250 = load i64, ptr %arg.layout, align 8
+  %.251 = add nsw i64 %.250, 1
+  %.252 = mul nsw i64 %.251, %.78.045
+  %.254 = getelementptr double, ptr %arg.r, i64 %.252
+  store ptr null, ptr %.262, align 8
+  %.266 = call i32 @residual.0(ptr nonnull %.262, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %.177, ptr %.181, ptr %.254, ptr %arg.local, ptr %arg.out)
+  switch i32 %.266, label %B96.endif.endif.if [
+    i32 -2, label %B96.endif.endif.endif
+    i32 0, label %B96.endif.endif.endif
+  ]
+
+B96.endif.endif.if:
+  %.274 = icmp sgt i32 %.266, 0
+  %.267 = load ptr, ptr %excinfo.3, align 8
+  %.275 = select i1 %.274, ptr %.267, ptr undef
+  store ptr %.275, ptr %excinfo, align 8
+  br label %common.ret
+
+B96.endif.endif.endif:
+  %exitcond.not = icmp eq i64 %arg.count, %.149
+  br i1 %exitcond.not, label %B412, label %B94.if
+}
+
+define i64 @march_rows(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, i64 %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, i64 %a14, ptr %a15, ptr %a16, i64 %a17, i64 %a18, ptr %a19, i64 %a20, ptr %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @march_rows.33(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, i64 %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, i64 %a14, ptr %a15, ptr %a16, i64 %a17, i64 %a18, ptr %a19, i64 %a20, ptr %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
+  ret i64 0
+}
+
+define internal i32 @march_rows.33(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.slot, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, i64 %arg.count, i64 %arg.own, ptr noalias %arg.numbers, i64 %arg.length, ptr noalias %arg.Y, ptr noalias %arg.y, ptr noalias %arg.settings, ptr noalias %arg.first_edges, ptr noalias %arg.edges, i64 %arg.max_steps, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, ptr noalias %arg.status, ptr noalias %arg.work) noinline {
+entry:
+  %.280 = alloca i64, align 8
+  store i64 0, ptr %.280, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.100 = load i64, ptr %arg.layout, align 8
+  %.18543.not = icmp slt i64 %arg.count, 1
+  br i1 %.18543.not, label %B524, label %B60.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B524 ], [ %.284, %B62.if ]
+  ret i32 %common.ret.op
+
+B524:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B60.if:
+  %.127.044 = phi i64 [ %.198, %B62.endif ], [ 0, %entry ]
+  %.224 = getelementptr i64, ptr %arg.first_edges, i64 %.127.044
+  %.225 = load i64, ptr %.224, align 8
+  %.228 = mul nsw i64 %.127.044, %arg.own
+  %.230 = getelementptr double, ptr %arg.numbers, i64 %.228
+  %.233.idx = shl i64 %.127.044, 6
+  %.233 = getelementptr i8, ptr %arg.settings, i64 %.233.idx
+  %.235 = getelementptr double, ptr %arg.edges, i64 %.225
+  %.238 = getelementptr i8, ptr %.224, i64 8
+  %.239 = load i64, ptr %.238, align 8
+  %.240 = sub nsw i64 %.239, %.225
+  %.242 = mul nsw i64 %.127.044, %.100
+  %.244 = getelementptr double, ptr %arg.y, i64 %.242
+  %.246 = mul nsw i64 %.127.044, %arg.length
+  %.248 = getelementptr double, ptr %arg.Y, i64 %.246
+  %.251.idx = mul i64 %.127.044, 24
+  %.251 = getelementptr i8, ptr %arg.state, i64 %.251.idx
+  %.254.idx = mul i64 %.127.044, 48
+  %.254 = getelementptr i8, ptr %arg.counts, i64 %.254.idx
+  %.256 = mul nsw i64 %.225, %.100
+  %.258 = getelementptr double, ptr %arg.outputs, i64 %.256
+  store i64 0, ptr %.280, align 8
+  %.284 = call i32 @march.34(ptr nonnull %.280, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %.230, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.slot, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, i64 %arg.tested, ptr %arg.powers, ptr %arg.method, ptr %.233, ptr %.235, i64 %.240, i64 %arg.max_steps, ptr %.244, ptr %.248, ptr %.251, ptr %.254, ptr %.258, i64 -1, ptr %arg.work, ptr %arg.work)
+  switch i32 %.284, label %B62.if [
+    i32 -2, label %B62.endif
+    i32 0, label %B62.endif
+  ]
+
+B62.if:
+  %.292 = icmp sgt i32 %.284, 0
+  %.285 = load ptr, ptr %excinfo.1, align 8
+  %.293 = select i1 %.292, ptr %.285, ptr undef
+  store ptr %.293, ptr %excinfo, align 8
+  br label %common.ret
+
+B62.endif:
+  %.198 = add nuw nsw i64 %.127.044, 1
+  %.294 = load i64, ptr %.280, align 8
+  %.305 = getelementptr i64, ptr %arg.status, i64 %.127.044
+  store i64 %.294, ptr %.305, align 8
+  %exitcond.not = icmp eq i64 %arg.count, %.198
+  br i1 %exitcond.not, label %B524, label %B60.if
+}
+
+define internal i32 @march.34(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, i64 %arg.most_recorded, ptr noalias %arg.record, ptr noalias %arg.work) noinline {
+entry:
+  %.485 = alloca double, align 8
+  store double 0.000000e+00, ptr %.485, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.541 = alloca ptr, align 8
+  store ptr null, ptr %.541, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.594 = alloca ptr, align 8
+  store ptr null, ptr %.594, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.625 = alloca i64, align 8
+  store i64 0, ptr %.625, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.687 = alloca ptr, align 8
+  store ptr null, ptr %.687, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.727 = alloca ptr, align 8
+  store ptr null, ptr %.727, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.754 = alloca ptr, align 8
+  store ptr null, ptr %.754, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.788 = alloca double, align 8
+  store double 0.000000e+00, ptr %.788, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.823 = alloca double, align 8
+  store double 0.000000e+00, ptr %.823, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.872 = alloca double, align 8
+  store double 0.000000e+00, ptr %.872, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.1145 = alloca ptr, align 8
+  store ptr null, ptr %.1145, align 8
+  %excinfo.11 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.11, align 8
+  %.1191 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1191, align 8
+  %excinfo.12 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.12, align 8
+  %.1284 = alloca ptr, align 8
+  store ptr null, ptr %.1284, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
+  %.1410 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1410, align 8
+  %excinfo.15 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.15, align 8
+  %.1452 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1452, align 8
+  %excinfo.16 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.16, align 8
+  %.1507 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1507, align 8
+  %excinfo.17 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.17, align 8
+  %.1539 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1539, align 8
+  %excinfo.18 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.18, align 8
+  %.92 = load i64, ptr %arg.layout, align 8
+  %.94 = getelementptr i8, ptr %arg.layout, i64 16
+  %.95 = load i64, ptr %.94, align 8
+  %.105.idx = shl i64 %.92, 6
+  %.105 = getelementptr i8, ptr %arg.work, i64 %.105.idx
+  %.108.idx = mul i64 %.92, 72
+  %.108 = getelementptr i8, ptr %arg.work, i64 %.108.idx
+  %.idx = mul i64 %.92, 80
+  %0 = getelementptr i8, ptr %arg.work, i64 %.idx
+  %.112 = getelementptr i8, ptr %0, i64 8
+  %.idx164 = mul i64 %.92, 88
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx164
+  %.125 = getelementptr i8, ptr %1, i64 8
+  %.idx165 = mul i64 %.92, 96
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx165
+  %.129 = getelementptr i8, ptr %2, i64 8
+  %.139.idx = shl i64 %arg.blocks, 5
+  %.139 = getelementptr i8, ptr %.129, i64 %.139.idx
+  %.146.idx = shl i64 %arg.blocks, 4
+  %.146 = getelementptr i8, ptr %.139, i64 %.146.idx
+  %.151 = getelementptr double, ptr %.146, i64 %.95
+  %.157 = getelementptr i8, ptr %arg.layout, i64 24
+  %.158 = load i64, ptr %.157, align 8
+  %3 = getelementptr double, ptr %.151, i64 %.95
+  %4 = getelementptr i8, ptr %3, i64 8
+  %.161 = getelementptr double, ptr %4, i64 %.158
+  %.166 = getelementptr i8, ptr %arg.layout, i64 8
+  %.167 = load i64, ptr %.166, align 8
+  %5 = getelementptr double, ptr %.161, i64 %.167
+  %.170 = getelementptr i8, ptr %5, i64 8
+  %.175 = getelementptr i8, ptr %arg.layout, i64 256
+  %.176 = load i64, ptr %.175, align 8
+  %.178 = getelementptr double, ptr %.170, i64 %.176
+  %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
+  %.185 = getelementptr i8, ptr %6, i64 -8
+  %.186 = load double, ptr %.185, align 8
+  %.192 = load i64, ptr %arg.counts, align 8
+  %.284263.not = icmp slt i64 %arg.max_steps, 1
+  br i1 %.284263.not, label %B2754, label %B672.if.lr.ph
+
+B672.if.lr.ph:
+  %.424 = getelementptr i8, ptr %arg.state, i64 8
+  %.566 = getelementptr i8, ptr %arg.counts, i64 32
+  %.576 = getelementptr i8, ptr %arg.method, i64 1344
+  %.587 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.650 = getelementptr i8, ptr %arg.counts, i64 8
+  %.712 = getelementptr i8, ptr %arg.counts, i64 24
+  %.722.idx = mul i64 %.92, 56
+  %.722 = getelementptr i8, ptr %arg.work, i64 %.722.idx
+  %.779 = getelementptr i8, ptr %arg.settings, i64 8
+  %.1184 = getelementptr i8, ptr %arg.state, i64 16
+  %.1187 = getelementptr i8, ptr %arg.method, i64 1352
+  %.1503 = getelementptr i8, ptr %arg.settings, i64 16
+  %.860 = getelementptr i8, ptr %arg.counts, i64 16
+  %.868 = getelementptr i8, ptr %arg.method, i64 1352
+  %.909 = getelementptr i8, ptr %arg.settings, i64 24
+  %.424.promoted = load double, ptr %.424, align 8
+  %7 = add i64 %arg.edge_count, -1
+  br label %B672.if
+
+common.ret:
+  %common.ret.op = phi i32 [ %.1545, %B2622.endif.if ], [ 0, %B1748 ], [ 0, %B2754 ], [ %.1458, %B2494.endif.endif.if ], [ %.1513, %B2622.if ], [ %.491, %B818.endif.if ], [ %.545, %B860.if ], [ %.598, %B966.endif.if ], [ %.629, %B966.endif.endif.if ], [ %.691, %B1176.if ], [ %.731, %B1176.endif.if ], [ %.758, %B1176.endif.endif.if ], [ %.794, %B1176.endif.endif.endif.endif.if ], [ %.827, %B1176.endif.endif.endif.endif.endif.if ], [ %.876, %B1570.if ], [ %.1149, %B1942.if ], [ %.1195, %B2156.if ], [ %.1416, %B2494.if ], [ %.1288, %B2436.if ], [ 0, %B2494.endif.endif.endif ]
+  ret i32 %common.ret.op
+
+B800:
+  %.470 = fmul contract double %.434, 5.000000e-01
+  %.472 = fcmp contract ogt double %.425266, %.470
+  br i1 %.472, label %B818, label %B856
+
+B818:
+  store double 0.000000e+00, ptr %.485, align 8
+  %.491 = call i32 @numba.21(ptr nonnull %.485, ptr nonnull %excinfo.1, double %.425266, double %.470)
+  switch i32 %.491, label %B818.endif.if [
+    i32 -2, label %B818.endif.endif
+    i32 0, label %B818.endif.endif
+  ]
+
+B856:
+  %h.3.1 = phi double [ %.425266, %B800 ], [ %.501, %B818.endif.endif ], [ %.434, %B672.if ]
+  br i1 %fresh.3.0265, label %B966, label %B860
+
+B860:
+  store ptr null, ptr %.541, align 8
+  %.545 = call i32 @linearise.22(ptr nonnull %.541, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.422, ptr %arg.y, ptr %arg.Y, ptr %.151, ptr %.161, ptr %.125, ptr %.170, ptr %.178)
+  switch i32 %.545, label %B860.if [
+    i32 -2, label %B860.endif
+    i32 0, label %B860.endif
+  ]
+
+B966:
+  %.577 = load double, ptr %.576, align 8
+  %.579 = fmul contract double %h.3.1, %.577
+  %.583 = fdiv contract double 1.000000e+00, %.579
+  %.588 = load i32, ptr %.587, align 4
+  store ptr null, ptr %.594, align 8
+  %.598 = call i32 @lu_fill.23(ptr nonnull %.594, ptr nonnull %excinfo.3, i64 %.92, i32 %.588, ptr %.151, ptr %arg.own, ptr %arg.mass, double %.583, ptr %.146)
+  switch i32 %.598, label %B966.endif.if [
+    i32 -2, label %B966.endif.endif
+    i32 0, label %B966.endif.endif
+  ]
+
+B1176:
+  store ptr null, ptr %.687, align 8
+  %.691 = call i32 @solve_stages.24(ptr nonnull %.687, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.422, double %h.3.1, ptr %arg.y, ptr %arg.Y, ptr %.125, ptr %.146, ptr %arg.work, ptr %.105, i64 0, ptr %.108, ptr %.112, ptr %.139, ptr %.170, ptr %.178)
+  switch i32 %.691, label %B1176.if [
+    i32 -2, label %B1176.endif
+    i32 0, label %B1176.endif
+  ]
+
+B1558:
+  %error.2.1 = phi double [ %.837, %B1176.endif.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B966.endif.endif.endif ]
+  %.851 = fcmp contract ugt double %error.2.1, 1.000000e+00
+  br i1 %.851, label %B1570, label %B1770
+
+B1570:
+  %.861 = load i64, ptr %.860, align 8
+  %.862 = add nsw i64 %.861, 1
+  store i64 %.862, ptr %.860, align 8
+  %.869 = load double, ptr %.868, align 8
+  store double 0.000000e+00, ptr %.872, align 8
+  %.876 = call i32 @step_factor.25(ptr nonnull %.872, ptr nonnull %excinfo.10, double %error.2.1, double 1.000000e+00, double %.869, ptr %arg.settings)
+  switch i32 %.876, label %B1570.if [
+    i32 -2, label %B1570.endif
+    i32 0, label %B1570.endif
+  ]
+
+B1748:
+  store i64 2, ptr %retptr, align 8
+  br label %common.ret
+
+B1770:
+  %.1024 = fadd contract double %.422, %h.3.1
+  %until.2.1 = select i1 %.441, double %.186, double %.1024
+  %.1036 = load i64, ptr %arg.counts, align 8
+  %.1046 = icmp slt i64 %.1036, %arg.edge_count
+  br i1 %.1046, label %B1826, label %B1908
+
+B1826:
+  %.1057 = getelementptr double, ptr %arg.edges, i64 %.1036
+  %.1058 = load double, ptr %.1057, align 8
+  %.1062 = fmul contract double %until.2.1, 0x3FF0000000000005
+  %.1063 = fcmp contract ugt double %.1058, %.1062
+  br i1 %.1063, label %B1908, label %B1856
+
+B1856:
+  %stop.2.1 = phi i64 [ %.1069, %B1878 ], [ %.1036, %B1826 ]
+  %exitcond.not = icmp eq i64 %stop.2.1, %7
+  br i1 %exitcond.not, label %B1908, label %B1878
+
+B1878:
+  %.1069 = add nsw i64 %stop.2.1, 1
+  %.1090 = getelementptr double, ptr %arg.edges, i64 %.1069
+  %.1091 = load double, ptr %.1090, align 8
+  %.1096 = fcmp contract ugt double %.1091, %.1062
+  br i1 %.1096, label %B1908, label %B1856
+
+B1908:
+  %stop.3.2 = phi i64 [ %.1036, %B1826 ], [ %.1036, %B1770 ], [ %arg.edge_count, %B1856 ], [ %.1069, %B1878 ]
+  %.1113 = icmp sgt i64 %stop.3.2, %.1036
+  br i1 %.1113, label %B1942, label %B2156
+
+B1942:
+  %.1120 = getelementptr double, ptr %arg.edges, i64 %.1036
+  %.1125 = sub nsw i64 %stop.3.2, %.1036
+  %.1130 = sub nsw i64 %.1036, %.192
+  %.1132 = mul nsw i64 %.1130, %.92
+  %.1134 = getelementptr double, ptr %arg.outputs, i64 %.1132
+  store ptr null, ptr %.1145, align 8
+  %.1149 = call i32 @dense_output.26(ptr nonnull %.1145, ptr nonnull %excinfo.11, i64 %.92, ptr %arg.y, ptr %.112, ptr %arg.work, ptr %arg.method, double %.422, double %until.2.1, ptr %.1120, i64 %.1125, ptr %.1134, ptr %.108, ptr %.129, ptr %.139)
+  switch i32 %.1149, label %B1942.if [
+    i32 -2, label %B1942.endif
+    i32 0, label %B1942.endif
+  ]
+
+B2156:
+  %.1185 = load double, ptr %.1184, align 8
+  %.1188 = load double, ptr %.1187, align 8
+  store double 0.000000e+00, ptr %.1191, align 8
+  %.1195 = call i32 @step_factor.25(ptr nonnull %.1191, ptr nonnull %excinfo.12, double %error.2.1, double %.1185, double %.1188, ptr %arg.settings)
+  %.1205 = load double, ptr %.1191, align 8
+  switch i32 %.1195, label %B2156.if [
+    i32 -2, label %B2156.endif
+    i32 0, label %B2156.endif
+  ]
+
+B2494:
+  store double 0.000000e+00, ptr %.1410, align 8
+  %.1416 = call i32 @numba.28(ptr nonnull %.1410, ptr nonnull %excinfo.15, double %.425266, double %h.3.1)
+  %.1426 = load double, ptr %.1410, align 8
+  switch i32 %.1416, label %B2494.if [
+    i32 -2, label %B2494.endif
+    i32 0, label %B2494.endif
+  ]
+
+B2622:
+  %.1497 = fmul contract double %h.3.1, %.1205
+  %.1504 = load double, ptr %.1503, align 8
+  store double 0.000000e+00, ptr %.1507, align 8
+  %.1513 = call i32 @numba.21(ptr nonnull %.1507, ptr nonnull %excinfo.17, double %.1497, double %.1504)
+  switch i32 %.1513, label %B2622.if [
+    i32 -2, label %B2622.endif
+    i32 0, label %B2622.endif
+  ]
+
+B2754:
+  store i64 1, ptr %retptr, align 8
+  br label %common.ret
+
+B2755:
+  %.425267 = phi double [ %.899, %B1570.endif ], [ %.1523, %B2622.endif.endif ]
+  %.284 = icmp sgt i64 %.228.0264, 1
+  br i1 %.284, label %B672.if, label %B2754
+
+B672.if:
+  %.425266 = phi double [ %.424.promoted, %B672.if.lr.ph ], [ %.425267, %B2755 ]
+  %fresh.3.0265 = phi i1 [ false, %B672.if.lr.ph ], [ %.851, %B2755 ]
+  %.228.0264 = phi i64 [ %arg.max_steps, %B672.if.lr.ph ], [ %.293, %B2755 ]
+  %.293 = add nsw i64 %.228.0264, -1
+  %.422 = load double, ptr %arg.state, align 8
+  %.434 = fsub contract double %.186, %.422
+  %.439 = fmul contract double %.434, 0x3FEFFFFFFF768FA1
+  %.441 = fcmp contract oge double %.425266, %.439
+  br i1 %.441, label %B856, label %B800
+
+B818.endif.if:
+  %.499 = icmp sgt i32 %.491, 0
+  %.492 = load ptr, ptr %excinfo.1, align 8
+  %.500 = select i1 %.499, ptr %.492, ptr undef
+  store ptr %.500, ptr %excinfo, align 8
+  br label %common.ret
+
+B818.endif.endif:
+  %.501 = load double, ptr %.485, align 8
+  br label %B856
+
+B860.if:
+  %.553 = icmp sgt i32 %.545, 0
+  %.546 = load ptr, ptr %excinfo.2, align 8
+  %.554 = select i1 %.553, ptr %.546, ptr undef
+  store ptr %.554, ptr %excinfo, align 8
+  br label %common.ret
+
+B860.endif:
+  %.567 = load i64, ptr %.566, align 8
+  %.568 = add nsw i64 %.567, 1
+  store i64 %.568, ptr %.566, align 8
+  br label %B966
+
+B966.endif.if:
+  %.606 = icmp sgt i32 %.598, 0
+  %.599 = load ptr, ptr %excinfo.3, align 8
+  %.607 = select i1 %.606, ptr %.599, ptr undef
+  store ptr %.607, ptr %excinfo, align 8
+  br label %common.ret
+
+B966.endif.endif:
+  store i64 0, ptr %.625, align 8
+  %.629 = call i32 @lu_factor.17(ptr nonnull %.625, ptr nonnull %excinfo.4, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.146, ptr %.129)
+  switch i32 %.629, label %B966.endif.endif.if [
+    i32 -2, label %B966.endif.endif.endif
+    i32 0, label %B966.endif.endif.endif
+  ]
+
+B966.endif.endif.if:
+  %.637 = icmp sgt i32 %.629, 0
+  %.630 = load ptr, ptr %excinfo.4, align 8
+  %.638 = select i1 %.637, ptr %.630, ptr undef
+  store ptr %.638, ptr %excinfo, align 8
+  br label %common.ret
+
+B966.endif.endif.endif:
+  %.639 = load i64, ptr %.625, align 8
+  %.651 = load i64, ptr %.650, align 8
+  %.652 = add nsw i64 %.651, 1
+  store i64 %.652, ptr %.650, align 8
+  %.659 = icmp eq i64 %.639, 0
+  br i1 %.659, label %B1176, label %B1558
+
+B1176.if:
+  %.699 = icmp sgt i32 %.691, 0
+  %.692 = load ptr, ptr %excinfo.5, align 8
+  %.700 = select i1 %.699, ptr %.692, ptr undef
+  store ptr %.700, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif:
+  %.713 = load i64, ptr %.712, align 8
+  %.714 = add nsw i64 %.713, 8
+  store i64 %.714, ptr %.712, align 8
+  store ptr null, ptr %.727, align 8
+  %.731 = call i32 @copy.27(ptr nonnull %.727, ptr nonnull %excinfo.6, i64 %.92, ptr %.105, ptr %.112)
+  switch i32 %.731, label %B1176.endif.if [
+    i32 -2, label %B1176.endif.endif
+    i32 0, label %B1176.endif.endif
+  ]
+
+B1176.endif.if:
+  %.739 = icmp sgt i32 %.731, 0
+  %.732 = load ptr, ptr %excinfo.6, align 8
+  %.740 = select i1 %.739, ptr %.732, ptr undef
+  store ptr %.740, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif:
+  store ptr null, ptr %.754, align 8
+  %.758 = call i32 @add_scaled.29(ptr nonnull %.754, ptr nonnull %excinfo.7, i64 %.92, double 1.000000e+00, ptr %.722, ptr %.112)
+  switch i32 %.758, label %B1176.endif.endif.if [
+    i32 -2, label %B1176.endif.endif.endif
+    i32 0, label %B1176.endif.endif.endif
+  ]
+
+B1176.endif.endif.if:
+  %.766 = icmp sgt i32 %.758, 0
+  %.759 = load ptr, ptr %excinfo.7, align 8
+  %.767 = select i1 %.766, ptr %.759, ptr undef
+  store ptr %.767, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif.endif:
+  %.780 = load double, ptr %.779, align 8
+  %.785 = fdiv contract double %h.3.1, %.780
+  store double 0.000000e+00, ptr %.788, align 8
+  %.794 = call i32 @numba.21(ptr nonnull %.788, ptr nonnull %excinfo.8, double 1.000000e+00, double %.785)
+  switch i32 %.794, label %B1176.endif.endif.endif.endif.if [
+    i32 -2, label %B1176.endif.endif.endif.endif.endif
+    i32 0, label %B1176.endif.endif.endif.endif.endif
+  ]
+
+B1176.endif.endif.endif.endif.if:
+  %.802 = icmp sgt i32 %.794, 0
+  %.795 = load ptr, ptr %excinfo.8, align 8
+  %.803 = select i1 %.802, ptr %.795, ptr undef
+  store ptr %.803, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif.endif.endif.endif:
+  %.804 = load double, ptr %.788, align 8
+  %.817 = load double, ptr %arg.settings, align 8
+  store double 0.000000e+00, ptr %.823, align 8
+  %.827 = call i32 @step_error.30(ptr nonnull %.823, ptr nonnull %excinfo.9, i64 %.92, i64 %arg.tested, ptr %arg.y, ptr %.112, ptr %.722, ptr %arg.powers, double %.804, double %.817)
+  switch i32 %.827, label %B1176.endif.endif.endif.endif.endif.if [
+    i32 -2, label %B1176.endif.endif.endif.endif.endif.endif
+    i32 0, label %B1176.endif.endif.endif.endif.endif.endif
+  ]
+
+B1176.endif.endif.endif.endif.endif.if:
+  %.835 = icmp sgt i32 %.827, 0
+  %.828 = load ptr, ptr %excinfo.9, align 8
+  %.836 = select i1 %.835, ptr %.828, ptr undef
+  store ptr %.836, ptr %excinfo, align 8
+  br label %common.ret
+
+B1176.endif.endif.endif.endif.endif.endif:
+  %.837 = load double, ptr %.823, align 8
+  br label %B1558
+
+B1570.if:
+  %.884 = icmp sgt i32 %.876, 0
+  %.877 = load ptr, ptr %excinfo.10, align 8
+  %.885 = select i1 %.884, ptr %.877, ptr undef
+  store ptr %.885, ptr %excinfo, align 8
+  br label %common.ret
+
+B1570.endif:
+  %.886 = load double, ptr %.872, align 8
+  %.899 = fmul contract double %h.3.1, %.886
+  store double %.899, ptr %.424, align 8
+  %.910 = load double, ptr %.909, align 8
+  %.911 = fcmp contract olt double %.899, %.910
+  br i1 %.911, label %B1748, label %B2755
+
+B1942.if:
+  %.1157 = icmp sgt i32 %.1149, 0
+  %.1150 = load ptr, ptr %excinfo.11, align 8
+  %.1158 = select i1 %.1157, ptr %.1150, ptr undef
+  store ptr %.1158, ptr %excinfo, align 8
+  br label %common.ret
+
+B1942.endif:
+  store i64 %stop.3.2, ptr %arg.counts, align 8
+  br label %B2156
+
+B2156.if:
+  %.1203 = icmp sgt i32 %.1195, 0
+  %.1196 = load ptr, ptr %excinfo.12, align 8
+  %.1204 = select i1 %.1203, ptr %.1196, ptr undef
+  store ptr %.1204, ptr %excinfo, align 8
+  br label %common.ret
+
+B2156.endif:
+  store ptr null, ptr %.1284, align 8
+  %.1288 = call i32 @copy.27(ptr nonnull %.1284, ptr nonnull %excinfo.14, i64 %.92, ptr %.112, ptr %arg.y)
+  switch i32 %.1288, label %B2436.if [
+    i32 -2, label %B2436.endif
+    i32 0, label %B2436.endif
+  ]
+
+B2436.if:
+  %.1296 = icmp sgt i32 %.1288, 0
+  %.1289 = load ptr, ptr %excinfo.14, align 8
+  %.1297 = select i1 %.1296, ptr %.1289, ptr undef
+  store ptr %.1297, ptr %excinfo, align 8
+  br label %common.ret
+
+B2436.endif:
+  store double %until.2.1, ptr %arg.state, align 8
+  br i1 %.441, label %B2494, label %B2622
+
+B2494.if:
+  %.1424 = icmp sgt i32 %.1416, 0
+  %.1417 = load ptr, ptr %excinfo.15, align 8
+  %.1425 = select i1 %.1424, ptr %.1417, ptr undef
+  store ptr %.1425, ptr %excinfo, align 8
+  br label %common.ret
+
+B2494.endif:
+  %.1441 = getelementptr i8, ptr %arg.settings, i64 32
+  %.1442 = load double, ptr %.1441, align 8
+  %.1448 = fdiv contract double 1.000000e+00, %.1442
+  store double 0.000000e+00, ptr %.1452, align 8
+  %.1458 = call i32 @numba.21(ptr nonnull %.1452, ptr nonnull %excinfo.16, double %.1205, double %.1448)
+  switch i32 %.1458, label %B2494.endif.endif.if [
+    i32 -2, label %B2494.endif.endif.endif
+    i32 0, label %B2494.endif.endif.endif
+  ]
+
+B2494.endif.endif.if:
+  %.1466 = icmp sgt i32 %.1458, 0
+  %.1459 = load ptr, ptr %excinfo.16, align 8
+  %.1467 = select i1 %.1466, ptr %.1459, ptr undef
+  store ptr %.1467, ptr %excinfo, align 8
+  br label %common.ret
+
+B2494.endif.endif.endif:
+  %.1468 = load double, ptr %.1452, align 8
+  %.1480 = fmul contract double %.1426, %.1468
+  store double %.1480, ptr %.424, align 8
+  store i64 0, ptr %retptr, align 8
+  br label %common.ret
+
+B2622.if:
+  %.1521 = icmp sgt i32 %.1513, 0
+  %.1514 = load ptr, ptr %excinfo.17, align 8
+  %.1522 = select i1 %.1521, ptr %.1514, ptr undef
+  store ptr %.1522, ptr %excinfo, align 8
+  br label %common.ret
+
+B2622.endif:
+  %.1523 = load double, ptr %.1507, align 8
+  store double %.1523, ptr %.424, align 8
+  store double 0.000000e+00, ptr %.1539, align 8
+  %.1545 = call i32 @numba.28(ptr nonnull %.1539, ptr nonnull %excinfo.18, double %error.2.1, double 1.000000e-04)
+  switch i32 %.1545, label %B2622.endif.if [
+    i32 -2, label %B2622.endif.endif
+    i32 0, label %B2622.endif.endif
+  ]
+
+B2622.endif.if:
+  %.1553 = icmp sgt i32 %.1545, 0
+  %.1546 = load ptr, ptr %excinfo.18, align 8
+  %.1554 = select i1 %.1553, ptr %.1546, ptr undef
+  store ptr %.1554, ptr %excinfo, align 8
+  br label %common.ret
+
+B2622.endif.endif:
+  %.1555 = load double, ptr %.1539, align 8
+  store double %.1555, ptr %.1184, align 8
+  br label %B2755
+}
+
+define i64 @lu_solve_transposed(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @lu_solve_transposed.35(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  ret i64 0
+}
+
+define internal i32 @lu_solve_transposed.35(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
 entry:
   %0 = call i64 @llvm.smax.i64(i64 %arg.blocks, i64 0)
   %storemerge = shl nuw i64 %0, 1
@@ -4035,11 +4745,11 @@ B1090.if:
 define i64 @lu_solve_sides(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @lu_solve_sides.33(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @lu_solve_sides.36(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @lu_solve_sides.33(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
+define internal i32 @lu_solve_sides.36(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
 entry:
   %.691 = alloca ptr, align 8
   store ptr null, ptr %.691, align 8
@@ -4141,7 +4851,7 @@ B348.if:
   %.685 = sext i32 %.684 to i64
   %.687 = shl nsw i64 %.685, 4
   store ptr null, ptr %.691, align 8
-  %.695 = call i32 @subtract_product.34(ptr nonnull %.691, ptr nonnull %excinfo.1, ptr %arg.lu, i64 %.680, ptr %arg.x, i64 %.687, i64 %.551)
+  %.695 = call i32 @subtract_product.37(ptr nonnull %.691, ptr nonnull %excinfo.1, ptr %arg.lu, i64 %.680, ptr %arg.x, i64 %.687, i64 %.551)
   switch i32 %.695, label %B350.if [
     i32 -2, label %B350.endif
     i32 0, label %B350.endif
@@ -4187,7 +4897,7 @@ B594.if:
   %.993 = sext i32 %.992 to i64
   %.995 = shl nsw i64 %.993, 4
   store ptr null, ptr %.999, align 8
-  %.1003 = call i32 @subtract_product.34(ptr nonnull %.999, ptr nonnull %excinfo.2, ptr %arg.lu, i64 %.989, ptr %arg.x, i64 %.995, i64 %.849)
+  %.1003 = call i32 @subtract_product.37(ptr nonnull %.999, ptr nonnull %excinfo.2, ptr %arg.lu, i64 %.989, ptr %arg.x, i64 %.995, i64 %.849)
   switch i32 %.1003, label %B596.if [
     i32 -2, label %B596.endif
     i32 0, label %B596.endif
@@ -4239,7 +4949,7 @@ B988.if:
   br i1 %exitcond408.not, label %B1118, label %B988.if
 }
 
-define internal i32 @subtract_product.34(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.lu, i64 %arg.block, ptr noalias %arg.x, i64 %arg.source, i64 %arg.target) {
+define internal i32 @subtract_product.37(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.lu, i64 %arg.block, ptr noalias %arg.x, i64 %arg.source, i64 %arg.target) {
 entry:
   %.15 = getelementptr double, ptr %arg.lu, i64 %arg.block
   %.16 = load double, ptr %.15, align 8
@@ -4287,11 +4997,11 @@ B132.if:
 define i64 @slopes_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @slopes_at.35(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
+  %1 = call i32 @slopes_at.38(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
   ret i64 0
 }
 
-define internal i32 @slopes_at.35(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @slopes_at.38(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.18 = alloca ptr, align 8
   store ptr null, ptr %.18, align 8
@@ -4321,7 +5031,7 @@ B0.if:
 
 B0.endif:
   store ptr null, ptr %.45, align 8
-  %.49 = call i32 @pull_residual.36(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.49 = call i32 @pull_residual.39(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.49, label %B0.endif.if [
     i32 -2, label %B0.endif.endif
     i32 0, label %B0.endif.endif
@@ -4340,7 +5050,7 @@ B0.endif.if:
 
 B0.endif.endif:
   store ptr null, ptr %.70, align 8
-  %.74 = call i32 @drives_bar.37(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
+  %.74 = call i32 @drives_bar.40(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
   switch i32 %.74, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
@@ -4358,7 +5068,7 @@ B0.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @pull_residual.36(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_residual.39(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.415 = alloca ptr, align 8
   store ptr null, ptr %.415, align 8
@@ -4392,7 +5102,7 @@ B586:
   %.401 = load i64, ptr %.400, align 8
   %.403 = getelementptr i32, ptr %arg.rows, i64 %.401
   store ptr null, ptr %.415, align 8
-  %.419 = call i32 @pull.38(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.419 = call i32 @pull.41(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.419, label %B586.if [
     i32 -2, label %B731
     i32 0, label %B731
@@ -4458,7 +5168,7 @@ B586.if:
   br label %common.ret
 }
 
-define internal i32 @drives_bar.37(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @drives_bar.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.198 = alloca ptr, align 8
   store ptr null, ptr %.198, align 8
@@ -4480,7 +5190,7 @@ B116:
   %.184 = getelementptr double, ptr %arg.weights, i64 %.45
   store double 0.000000e+00, ptr %.184, align 8
   store ptr null, ptr %.198, align 8
-  %.202 = call i32 @pull_drive.39(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.202 = call i32 @pull_drive.42(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.202, label %B116.if [
     i32 -2, label %B116.endif
     i32 0, label %B116.endif
@@ -4502,7 +5212,7 @@ B116.endif:
   br label %common.ret
 }
 
-define internal i32 @pull_drive.39(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_drive.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.190 = alloca ptr, align 8
   store ptr null, ptr %.190, align 8
@@ -4538,7 +5248,7 @@ B56.if:
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
   store ptr null, ptr %.190, align 8
-  %.194 = call i32 @pull.38(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.194 = call i32 @pull.41(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.194, label %B58.if [
     i32 -2, label %B58.endif
     i32 0, label %B58.endif
@@ -4557,7 +5267,7 @@ B58.endif:
   br i1 %exitcond.not, label %B266, label %B56.if
 }
 
-define internal i32 @pull.38(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.229 = alloca ptr, align 8
   store ptr null, ptr %.229, align 8
@@ -4692,11 +5402,11 @@ B626.if:
 define i64 @rates_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @rates_at.40(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
+  %1 = call i32 @rates_at.43(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
   ret i64 0
 }
 
-define internal i32 @rates_at.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @rates_at.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.20 = alloca ptr, align 8
   store ptr null, ptr %.20, align 8
@@ -4728,7 +5438,7 @@ B0.if:
 B0.endif:
   %.18 = getelementptr double, ptr %arg.Y_dot, i64 %.17
   store ptr null, ptr %.47, align 8
-  %.51 = call i32 @push_drive.41(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
+  %.51 = call i32 @push_drive.44(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
   switch i32 %.51, label %B0.endif.if [
     i32 -2, label %B0.endif.endif
     i32 0, label %B0.endif.endif
@@ -4747,7 +5457,7 @@ B0.endif.if:
 
 B0.endif.endif:
   store ptr null, ptr %.72, align 8
-  %.76 = call i32 @push_residual.42(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
+  %.76 = call i32 @push_residual.45(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.76, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
@@ -4765,7 +5475,7 @@ B0.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @push_drive.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_drive.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.319 = alloca ptr, align 8
   store ptr null, ptr %.319, align 8
@@ -4835,7 +5545,7 @@ B248.if:
   %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
   %.282 = add nuw nsw i64 %.213.0124, 1
   store ptr null, ptr %.319, align 8
-  %.323 = call i32 @push.43(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.323 = call i32 @push.46(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.323, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -4869,7 +5579,7 @@ B406.if:
   br i1 %.485, label %B456, label %B490
 }
 
-define internal i32 @push_residual.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_residual.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.657 = alloca ptr, align 8
   store ptr null, ptr %.657, align 8
@@ -4979,7 +5689,7 @@ B748.if:
   %.552.0166 = phi i64 [ %.621, %B750.endif.endif ], [ 0, %B624 ]
   %.621 = add nuw nsw i64 %.552.0166, 1
   store ptr null, ptr %.657, align 8
-  %.661 = call i32 @push.43(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.661 = call i32 @push.46(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.661, label %B750.if [
     i32 -2, label %B750.endif
     i32 0, label %B750.endif
@@ -5014,7 +5724,7 @@ B750.endif.endif:
   br i1 %exitcond.not, label %B881, label %B748.if
 }
 
-define internal i32 @push.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.69 = alloca ptr, align 8
   store ptr null, ptr %.69, align 8
@@ -5106,11 +5816,11 @@ B396.if.lr.ph:
 define i64 @reverse(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @reverse.44(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
+  %1 = call i32 @reverse.47(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
   ret i64 0
 }
 
-define internal i32 @reverse.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
+define internal i32 @reverse.47(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
 entry:
   %.437 = alloca ptr, align 8
   store ptr null, ptr %.437, align 8
@@ -5354,7 +6064,7 @@ B918:
   %.394 = load double, ptr %.393, align 8
   %.396 = getelementptr i8, ptr %.385, i64 24
   store ptr null, ptr %.437, align 8
-  %.441 = call i32 @replay.45(ptr nonnull %.437, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.385, ptr %arg.Y, ptr %arg.work, ptr %.132, ptr %.208, ptr %.220, ptr %.161, ptr %.202, ptr %.153, ptr %.157, ptr %.188, ptr %.195, ptr %.238, ptr %.246)
+  %.441 = call i32 @replay.48(ptr nonnull %.437, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.385, ptr %arg.Y, ptr %arg.work, ptr %.132, ptr %.208, ptr %.220, ptr %.161, ptr %.202, ptr %.153, ptr %.157, ptr %.188, ptr %.195, ptr %.238, ptr %.246)
   switch i32 %.441, label %B918.if [
     i32 -2, label %B918.endif
     i32 0, label %B918.endif
@@ -5365,7 +6075,7 @@ B1268:
 
 B1326:
   store i64 0, ptr %.754, align 8
-  %.758 = call i32 @first_edge_in.46(ptr nonnull %.754, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0957, double %.391)
+  %.758 = call i32 @first_edge_in.49(ptr nonnull %.754, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0957, double %.391)
   %.768 = load i64, ptr %.754, align 8
   switch i32 %.758, label %B1326.if [
     i32 -2, label %B1326.endif
@@ -5374,7 +6084,7 @@ B1326:
 
 B1706:
   store ptr null, ptr %.1189, align 8
-  %.1193 = call i32 @dense_rate.47(ptr nonnull %.1189, ptr nonnull %excinfo.8, i64 %.98, ptr %arg.method, double %.925, ptr %.396, ptr %.464, ptr %arg.work, ptr %.153)
+  %.1193 = call i32 @dense_rate.50(ptr nonnull %.1189, ptr nonnull %excinfo.8, i64 %.98, ptr %arg.method, double %.925, ptr %.396, ptr %.464, ptr %arg.work, ptr %.153)
   switch i32 %.1193, label %B1706.if [
     i32 -2, label %B1706.endif
     i32 0, label %B1706.endif
@@ -5428,7 +6138,7 @@ B3096:
   %h_bar.8.2.lcssa = phi double [ %.1887, %B2760 ], [ %.2282, %B2792.endif.endif.endif ]
   %.2300 = getelementptr double, ptr %arg.work, i64 %.1461
   store double 0.000000e+00, ptr %.2303, align 8
-  %.2307 = call i32 @dot.48(ptr nonnull %.2303, ptr nonnull %excinfo.22, i64 %.98, ptr %.157, ptr %.2300)
+  %.2307 = call i32 @dot.51(ptr nonnull %.2303, ptr nonnull %excinfo.22, i64 %.98, ptr %.157, ptr %.2300)
   switch i32 %.2307, label %B3096.if [
     i32 -2, label %B3096.endif
     i32 0, label %B3096.endif
@@ -5481,7 +6191,7 @@ B3850:
 
 B3990:
   store ptr null, ptr %.3343, align 8
-  %.3347 = call i32 @pull_drive.49(ptr nonnull %.3343, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.229, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
+  %.3347 = call i32 @pull_drive.52(ptr nonnull %.3343, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.229, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
   switch i32 %.3347, label %B3990.if [
     i32 -2, label %B3990.endif
     i32 0, label %B3990.endif
@@ -5569,7 +6279,7 @@ B1392.if:
   %.908 = getelementptr double, ptr %arg.edges, i64 %.808.0913
   %.909 = load double, ptr %.908, align 8
   store double 0.000000e+00, ptr %.911, align 8
-  %.915 = call i32 @part_done.50(ptr nonnull %.911, ptr nonnull %excinfo.3, double %.909, ptr nonnull %.385)
+  %.915 = call i32 @part_done.53(ptr nonnull %.911, ptr nonnull %excinfo.3, double %.909, ptr nonnull %.385)
   %.925 = load double, ptr %.911, align 8
   switch i32 %.915, label %B1394.if [
     i32 -2, label %B1394.endif
@@ -5621,7 +6331,7 @@ B1596.if:
   %.1024.0910 = phi i64 [ %.1093, %B1598.endif.endif ], [ 0, %B1596.if.preheader ]
   %.1093 = add nuw nsw i64 %.1024.0910, 1
   store double 0.000000e+00, ptr %.1121, align 8
-  %.1125 = call i32 @dense_weight.51(ptr nonnull %.1121, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1024.0910, double %.925)
+  %.1125 = call i32 @dense_weight.54(ptr nonnull %.1121, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1024.0910, double %.925)
   switch i32 %.1125, label %B1598.if [
     i32 -2, label %B1598.endif
     i32 0, label %B1598.endif
@@ -5665,7 +6375,7 @@ B1706.if:
 
 B1706.endif:
   store double 0.000000e+00, ptr %.1217, align 8
-  %.1221 = call i32 @dot.48(ptr nonnull %.1217, ptr nonnull %excinfo.9, i64 %.98, ptr %.905, ptr %.153)
+  %.1221 = call i32 @dot.51(ptr nonnull %.1217, ptr nonnull %excinfo.9, i64 %.98, ptr %.905, ptr %.153)
   switch i32 %.1221, label %B1706.endif.if [
     i32 -2, label %B1706.endif.endif
     i32 0, label %B1706.endif.endif
@@ -5711,7 +6421,7 @@ B1992.if:
   %.1463 = getelementptr double, ptr %.144, i64 %.1461
   %.1472 = getelementptr double, ptr %.141, i64 %.1461
   store ptr null, ptr %.1482, align 8
-  %.1486 = call i32 @lu_solve_transposed.32(ptr nonnull %.1482, ptr nonnull %excinfo.11, i64 %.98, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.202, ptr %.1472, ptr %.1463, ptr %.195)
+  %.1486 = call i32 @lu_solve_transposed.35(ptr nonnull %.1482, ptr nonnull %excinfo.11, i64 %.98, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.202, ptr %.1472, ptr %.1463, ptr %.195)
   switch i32 %.1486, label %B1994.if [
     i32 -2, label %B1994.endif
     i32 0, label %B1994.endif
@@ -5778,7 +6488,7 @@ B2356.if:
 B2356.endif:
   store double 0.000000e+00, ptr %.1741, align 8
   store ptr null, ptr %.1755, align 8
-  %.1759 = call i32 @pull_residual.36(ptr nonnull %.1755, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.153, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
+  %.1759 = call i32 @pull_residual.39(ptr nonnull %.1755, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.153, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
   switch i32 %.1759, label %B2356.endif.if [
     i32 -2, label %B2356.endif.endif
     i32 0, label %B2356.endif.endif
@@ -5793,7 +6503,7 @@ B2356.endif.if:
 
 B2356.endif.endif:
   store ptr null, ptr %.1791, align 8
-  %.1795 = call i32 @drives_bar.37(ptr nonnull %.1791, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
+  %.1795 = call i32 @drives_bar.40(ptr nonnull %.1791, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
   switch i32 %.1795, label %B2356.endif.endif.if [
     i32 -2, label %B2356.endif.endif.endif
     i32 0, label %B2356.endif.endif.endif
@@ -5889,7 +6599,7 @@ B2792.endif.endif:
   %.2243 = load double, ptr %.2209, align 8
   %.2248 = getelementptr double, ptr %arg.work, i64 %.2167
   store double 0.000000e+00, ptr %.2251, align 8
-  %.2255 = call i32 @dot.48(ptr nonnull %.2251, ptr nonnull %excinfo.21, i64 %.98, ptr %.157, ptr %.2248)
+  %.2255 = call i32 @dot.51(ptr nonnull %.2251, ptr nonnull %excinfo.21, i64 %.98, ptr %.157, ptr %.2248)
   switch i32 %.2255, label %B2792.endif.endif.if [
     i32 -2, label %B2792.endif.endif.endif
     i32 0, label %B2792.endif.endif.endif
@@ -5922,7 +6632,7 @@ B3096.endif:
   %.2336 = getelementptr i8, ptr %36, i64 1088
   %.2337 = load double, ptr %.2336, align 8
   store double 0.000000e+00, ptr %.2342, align 8
-  %.2346 = call i32 @dot.48(ptr nonnull %.2342, ptr nonnull %excinfo.23, i64 %.98, ptr %.1463, ptr %.161)
+  %.2346 = call i32 @dot.51(ptr nonnull %.2342, ptr nonnull %excinfo.23, i64 %.98, ptr %.1463, ptr %.161)
   switch i32 %.2346, label %B3096.endif.if [
     i32 -2, label %B3096.endif.endif
     i32 0, label %B3096.endif.endif
@@ -6054,7 +6764,7 @@ B3990.if:
 
 B3990.endif:
   store ptr null, ptr %.3379, align 8
-  %.3383 = call i32 @pull_jacobian.52(ptr nonnull %.3379, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.214, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
+  %.3383 = call i32 @pull_jacobian.55(ptr nonnull %.3379, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.214, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
   switch i32 %.3383, label %B3990.endif.if [
     i32 -2, label %B3990.endif.endif
     i32 0, label %B3990.endif.endif
@@ -6069,7 +6779,7 @@ B3990.endif.if:
 
 B3990.endif.endif:
   store ptr null, ptr %.3415, align 8
-  %.3419 = call i32 @drives_bar.37(ptr nonnull %.3415, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
+  %.3419 = call i32 @drives_bar.40(ptr nonnull %.3415, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
   switch i32 %.3419, label %B3990.endif.endif.if [
     i32 -2, label %B3990.endif.endif.endif
     i32 0, label %B3990.endif.endif.endif
@@ -6119,7 +6829,7 @@ B3990.endif.endif.endif.endif.endif:
   br i1 %.3507, label %B4246, label %B4278
 }
 
-define internal i32 @replay.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @replay.48(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.42 = alloca ptr, align 8
   store ptr null, ptr %.42, align 8
@@ -6206,7 +6916,7 @@ B0.endif.endif.endif.if:
 
 B0.endif.endif.endif.endif:
   store ptr null, ptr %.128, align 8
-  %.132 = call i32 @solve_stages.53(ptr nonnull %.128, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.37, double %.39, ptr %.40, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.35, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
+  %.132 = call i32 @solve_stages.56(ptr nonnull %.128, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.37, double %.39, ptr %.40, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.35, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
   switch i32 %.132, label %B0.endif.endif.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif.endif.endif
     i32 0, label %B0.endif.endif.endif.endif.endif
@@ -6259,7 +6969,7 @@ B0.endif.endif.endif.endif.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @first_edge_in.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
+define internal i32 @first_edge_in.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
 entry:
   %.19 = icmp sgt i64 %arg.stop, 0
   br i1 %.19, label %B20, label %B114
@@ -6291,7 +7001,7 @@ B114:
   ret i32 0
 }
 
-define internal i32 @part_done.50(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
+define internal i32 @part_done.53(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
 entry:
   %.20 = alloca double, align 8
   store double 0.000000e+00, ptr %.20, align 8
@@ -6327,7 +7037,7 @@ B0.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @dense_weight.51(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
+define internal i32 @dense_weight.54(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
 entry:
   %0 = getelementptr double, ptr %arg.method, i64 %arg.j
   %.9 = getelementptr i8, ptr %0, i64 1216
@@ -6347,7 +7057,7 @@ entry:
   ret i32 0
 }
 
-define internal i32 @dense_rate.47(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
+define internal i32 @dense_rate.50(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
 entry:
   %.327 = alloca ptr, align 8
   store ptr null, ptr %.327, align 8
@@ -6424,7 +7134,7 @@ B122.endif:
   br i1 %exitcond78.not, label %B422, label %B120.if
 }
 
-define internal i32 @dot.48(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+define internal i32 @dot.51(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B84, label %B38.if
@@ -6448,7 +7158,7 @@ B38.if:
   br i1 %exitcond.not, label %B84, label %B38.if
 }
 
-define internal i32 @pull_drive.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_drive.52(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.190 = alloca ptr, align 8
   store ptr null, ptr %.190, align 8
@@ -6484,7 +7194,7 @@ B56.if:
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
   store ptr null, ptr %.190, align 8
-  %.194 = call i32 @pull.54(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.194 = call i32 @pull.57(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.194, label %B58.if [
     i32 -2, label %B58.endif
     i32 0, label %B58.endif
@@ -6503,7 +7213,7 @@ B58.endif:
   br i1 %exitcond.not, label %B266, label %B56.if
 }
 
-define internal i32 @pull_jacobian.52(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_jacobian.55(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.363 = alloca ptr, align 8
   store ptr null, ptr %.363, align 8
@@ -6529,7 +7239,7 @@ B422:
   %.349 = getelementptr i8, ptr %2, i64 40
   %.350 = load i64, ptr %.349, align 8
   store ptr null, ptr %.363, align 8
-  %.367 = call i32 @pull.54(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.367 = call i32 @pull.57(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.367, label %B422.if [
     i32 -2, label %B509
     i32 0, label %B509
@@ -6584,7 +7294,7 @@ B422.if:
   br label %common.ret
 }
 
-define internal i32 @pull.54(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull.57(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.229 = alloca ptr, align 8
   store ptr null, ptr %.229, align 8
@@ -6717,7 +7427,7 @@ B626.if:
   br i1 %exitcond.not, label %B240.loopexit, label %B626.if
 }
 
-define internal i32 @solve_stages.53(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @solve_stages.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.226 = alloca ptr, align 8
   store ptr null, ptr %.226, align 8
@@ -6987,11 +7697,11 @@ B846.endif:
 define i64 @forward(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @forward.55(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34)
+  %1 = call i32 @forward.58(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34)
   ret i64 0
 }
 
-define internal i32 @forward.55(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @forward.58(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
   %.240 = alloca i64, align 8
   store i64 0, ptr %.240, align 8
@@ -7167,7 +7877,7 @@ entry:
   %.226 = getelementptr double, ptr %.218, i64 %.224
   %.234 = getelementptr double, ptr %.226, i64 %.224
   store i64 0, ptr %.240, align 8
-  %.244 = call i32 @moving_groups.56(ptr nonnull %.240, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
+  %.244 = call i32 @moving_groups.59(ptr nonnull %.240, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
   switch i32 %.244, label %B0.if [
     i32 -2, label %B0.endif
     i32 0, label %B0.endif
@@ -7234,7 +7944,7 @@ B1408:
   %.640 = load double, ptr %.639, align 8
   %.642 = getelementptr i8, ptr %.631, i64 24
   store ptr null, ptr %.683, align 8
-  %.687 = call i32 @replay.45(ptr nonnull %.683, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.631, ptr %arg.Y, ptr %arg.work, ptr %.140, ptr %.190, ptr %.200, ptr %.157, ptr %.184, ptr %.149, ptr %.153, ptr %.170, ptr %.177, ptr %.218, ptr %.226)
+  %.687 = call i32 @replay.48(ptr nonnull %.683, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.631, ptr %arg.Y, ptr %arg.work, ptr %.140, ptr %.190, ptr %.200, ptr %.157, ptr %.184, ptr %.149, ptr %.153, ptr %.170, ptr %.177, ptr %.218, ptr %.226)
   switch i32 %.687, label %B1408.if [
     i32 -2, label %B1408.endif
     i32 0, label %B1408.endif
@@ -7254,7 +7964,7 @@ B2006:
   %.1186.idx = shl i64 %.936.01139, 4
   %.1186 = getelementptr i8, ptr %arg.ends_dot, i64 %.1186.idx
   store double 0.000000e+00, ptr %.1188, align 8
-  %.1192 = call i32 @begin_rate.57(ptr nonnull %.1188, ptr nonnull %excinfo.7, i64 %.575.sroa.0.01194, ptr %.1186)
+  %.1192 = call i32 @begin_rate.60(ptr nonnull %.1188, ptr nonnull %excinfo.7, i64 %.575.sroa.0.01194, ptr %.1186)
   switch i32 %.1192, label %B2006.if [
     i32 -2, label %B2006.endif
     i32 0, label %B2006.endif
@@ -7297,7 +8007,7 @@ B3548.preheader:
 
 B3968:
   store i64 0, ptr %.2964, align 8
-  %.2968 = call i32 @moving_groups.56(ptr nonnull %.2964, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
+  %.2968 = call i32 @moving_groups.59(ptr nonnull %.2964, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
   switch i32 %.2968, label %B3968.if [
     i32 -2, label %B3968.endif
     i32 0, label %B3968.endif
@@ -7309,7 +8019,7 @@ B4278:
 
 B4282:
   store ptr null, ptr %.3207, align 8
-  %.3211 = call i32 @multiply_sides.58(ptr nonnull %.3207, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.190, ptr %.308, ptr %.1764, ptr %.274, ptr %.284)
+  %.3211 = call i32 @multiply_sides.61(ptr nonnull %.3207, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.190, ptr %.308, ptr %.1764, ptr %.274, ptr %.284)
   switch i32 %.3211, label %B4282.if [
     i32 -2, label %B4282.endif
     i32 0, label %B4282.endif
@@ -7319,7 +8029,7 @@ B4546:
   %.3409.idx = shl i64 %.1762, 6
   %.3409 = getelementptr i8, ptr %.269, i64 %.3409.idx
   store ptr null, ptr %.3419, align 8
-  %.3423 = call i32 @lu_solve_sides.33(ptr nonnull %.3419, ptr nonnull %excinfo.26, i64 %.109, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.184, ptr %.284, ptr %.3409, ptr %.315)
+  %.3423 = call i32 @lu_solve_sides.36(ptr nonnull %.3419, ptr nonnull %excinfo.26, i64 %.109, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.184, ptr %.284, ptr %.3409, ptr %.315)
   switch i32 %.3423, label %B4546.if [
     i32 -2, label %B4546.endif
     i32 0, label %B4546.endif
@@ -7418,7 +8128,7 @@ B1236.if:
   %.343.01120 = phi i64 [ %.412, %B1238.endif.endif ], [ 0, %B0.endif ]
   %.412 = add nuw nsw i64 %.343.01120, 1
   store i64 0, ptr %.444, align 8
-  %.448 = call i32 @moving_groups.56(ptr nonnull %.444, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
+  %.448 = call i32 @moving_groups.59(ptr nonnull %.444, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
   switch i32 %.448, label %B1238.if [
     i32 -2, label %B1238.endif
     i32 0, label %B1238.endif
@@ -7438,7 +8148,7 @@ B1238.endif:
   %.468 = mul nsw i64 %.458, %.343.01120
   %.470 = getelementptr double, ptr %.234, i64 %.468
   store ptr null, ptr %.472, align 8
-  %.476 = call i32 @mark_moving.59(ptr nonnull %.472, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.441, ptr %.470)
+  %.476 = call i32 @mark_moving.62(ptr nonnull %.472, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.441, ptr %.470)
   switch i32 %.476, label %B1238.endif.if [
     i32 -2, label %B1238.endif.endif
     i32 0, label %B1238.endif.endif
@@ -7537,7 +8247,7 @@ B2006.endif:
   store double %.1202, ptr %.1214, align 8
   %.1219 = getelementptr double, ptr %.1038, i64 %.109
   store ptr null, ptr %.1230, align 8
-  %.1234 = call i32 @push_drive.41(ptr nonnull %.1230, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1038, ptr %.1043, ptr %.1219, ptr %.218, ptr %.226)
+  %.1234 = call i32 @push_drive.44(ptr nonnull %.1230, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1038, ptr %.1043, ptr %.1219, ptr %.218, ptr %.226)
   switch i32 %.1234, label %B2006.endif.if [
     i32 -2, label %B2006.endif.endif
     i32 0, label %B2006.endif.endif
@@ -7552,7 +8262,7 @@ B2006.endif.if:
 
 B2006.endif.endif:
   store ptr null, ptr %.1266, align 8
-  %.1270 = call i32 @push_drive.60(ptr nonnull %.1266, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1038, ptr %.1043, ptr %.209, ptr %.218, ptr %.226)
+  %.1270 = call i32 @push_drive.63(ptr nonnull %.1266, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1038, ptr %.1043, ptr %.209, ptr %.218, ptr %.226)
   switch i32 %.1270, label %B2006.endif.endif.if [
     i32 -2, label %B2006.endif.endif.endif
     i32 0, label %B2006.endif.endif.endif
@@ -7567,7 +8277,7 @@ B2006.endif.endif.if:
 
 B2006.endif.endif.endif:
   store ptr null, ptr %.1302, align 8
-  %.1306 = call i32 @push_jacobian.61(ptr nonnull %.1302, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1038, ptr %.1043, ptr %.195, ptr %.218, ptr %.226)
+  %.1306 = call i32 @push_jacobian.64(ptr nonnull %.1302, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1038, ptr %.1043, ptr %.195, ptr %.218, ptr %.226)
   switch i32 %.1306, label %B2006.endif.endif.endif.if [
     i32 -2, label %B2006.endif.endif.endif.endif
     i32 0, label %B2006.endif.endif.endif.endif
@@ -7785,7 +8495,7 @@ B3300.endif:
   %.2537 = load double, ptr %.2536, align 8
   %.2542 = fdiv contract double %.2537, %.640
   store ptr null, ptr %.2546, align 8
-  %.2550 = call i32 @add_masses.62(ptr nonnull %.2546, ptr nonnull %excinfo.18, i64 %.109, ptr %arg.mass, double %.2542, ptr %.2495, ptr %.284)
+  %.2550 = call i32 @add_masses.65(ptr nonnull %.2546, ptr nonnull %excinfo.18, i64 %.109, ptr %arg.mass, double %.2542, ptr %.2495, ptr %.284)
   switch i32 %.2550, label %B3300.endif.endif.if [
     i32 -2, label %B3300.endif.endif.endif
     i32 0, label %B3300.endif.endif.endif
@@ -7812,7 +8522,7 @@ B3550.if:
   %.2716.idx = shl i64 %.2599.01164, 4
   %.2716 = getelementptr i8, ptr %arg.ends_dot, i64 %.2716.idx
   store double 0.000000e+00, ptr %.2720, align 8
-  %.2724 = call i32 @size_rate.63(ptr nonnull %.2720, ptr nonnull %excinfo.19, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.2716)
+  %.2724 = call i32 @size_rate.66(ptr nonnull %.2720, ptr nonnull %excinfo.19, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.2716)
   %.2734 = load double, ptr %.2720, align 8
   switch i32 %.2724, label %B3552.if [
     i32 -2, label %B3552.endif
@@ -7828,7 +8538,7 @@ B3552.if:
 
 B3552.endif:
   store double 0.000000e+00, ptr %.2749, align 8
-  %.2753 = call i32 @begin_rate.57(ptr nonnull %.2749, ptr nonnull %excinfo.20, i64 %.575.sroa.0.01194, ptr %.2716)
+  %.2753 = call i32 @begin_rate.60(ptr nonnull %.2749, ptr nonnull %excinfo.20, i64 %.575.sroa.0.01194, ptr %.2716)
   switch i32 %.2753, label %B3552.endif.if [
     i32 -2, label %B3552.endif.endif
     i32 0, label %B3552.endif.endif
@@ -7850,7 +8560,7 @@ B3552.endif.endif:
   store double %.2780, ptr %.2783, align 8
   %.2788 = getelementptr double, ptr %.2701, i64 %.109
   store ptr null, ptr %.2799, align 8
-  %.2803 = call i32 @push_drive.41(ptr nonnull %.2799, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2701, ptr %.2706, ptr %.2788, ptr %.218, ptr %.226)
+  %.2803 = call i32 @push_drive.44(ptr nonnull %.2799, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2701, ptr %.2706, ptr %.2788, ptr %.218, ptr %.226)
   switch i32 %.2803, label %B3552.endif.endif.if [
     i32 -2, label %B3552.endif.endif.endif
     i32 0, label %B3552.endif.endif.endif
@@ -7893,7 +8603,7 @@ B3968.endif:
   %.2991 = getelementptr double, ptr %.234, i64 %.2989
   %.2994 = getelementptr double, ptr %.284, i64 %.2599.01164
   store ptr null, ptr %.3004, align 8
-  %.3008 = call i32 @push_numbers.64(ptr nonnull %.3004, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2706, ptr %.2991, ptr %.2994, ptr %.218, ptr %.226)
+  %.3008 = call i32 @push_numbers.67(ptr nonnull %.3004, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2706, ptr %.2991, ptr %.2994, ptr %.218, ptr %.226)
   switch i32 %.3008, label %B3968.endif.if [
     i32 -2, label %B3968.endif.endif
     i32 0, label %B3968.endif.endif
@@ -7961,7 +8671,7 @@ B4358.if:
   %.3371.idx = shl nsw i64 %.3368, 6
   %.3371 = getelementptr i8, ptr %.284, i64 %.3371.idx
   store ptr null, ptr %.3372, align 8
-  %.3376 = call i32 @add_scaled.65(ptr nonnull %.3372, ptr nonnull %excinfo.25, i64 8, double %.3357, ptr %.3364, ptr %.3371)
+  %.3376 = call i32 @add_scaled.68(ptr nonnull %.3372, ptr nonnull %excinfo.25, i64 8, double %.3357, ptr %.3364, ptr %.3371)
   switch i32 %.3376, label %B4360.if [
     i32 -2, label %B4360.endif
     i32 0, label %B4360.endif
@@ -8010,7 +8720,7 @@ B4922.if:
   %.3691 = getelementptr double, ptr %arg.edges, i64 %.3590.01185
   %.3692 = load double, ptr %.3691, align 8
   store double 0.000000e+00, ptr %.3694, align 8
-  %.3698 = call i32 @part_done.50(ptr nonnull %.3694, ptr nonnull %excinfo.28, double %.3692, ptr nonnull %.631)
+  %.3698 = call i32 @part_done.53(ptr nonnull %.3694, ptr nonnull %excinfo.28, double %.3692, ptr nonnull %.631)
   %.3708 = load double, ptr %.3694, align 8
   switch i32 %.3698, label %B4924.if [
     i32 -2, label %B4924.endif
@@ -8026,7 +8736,7 @@ B4924.if:
 
 B4924.endif:
   store ptr null, ptr %.3732, align 8
-  %.3736 = call i32 @dense_rate.47(ptr nonnull %.3732, ptr nonnull %excinfo.29, i64 %.109, ptr %arg.method, double %.3708, ptr %.642, ptr %.3725, ptr %arg.work, ptr %.149)
+  %.3736 = call i32 @dense_rate.50(ptr nonnull %.3732, ptr nonnull %excinfo.29, i64 %.109, ptr %arg.method, double %.3708, ptr %.642, ptr %.3725, ptr %arg.work, ptr %.149)
   switch i32 %.3736, label %B4924.endif.if [
     i32 -2, label %B4924.endif.endif
     i32 0, label %B4924.endif.endif
@@ -8068,7 +8778,7 @@ B5206.if:
   %.3919.01174 = phi i64 [ %.3988, %B5208.endif.endif ], [ 0, %B5206.if.preheader ]
   %.3988 = add nuw nsw i64 %.3919.01174, 1
   store double 0.000000e+00, ptr %.4016, align 8
-  %.4020 = call i32 @dense_weight.51(ptr nonnull %.4016, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3919.01174, double %.3708)
+  %.4020 = call i32 @dense_weight.54(ptr nonnull %.4016, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3919.01174, double %.3708)
   switch i32 %.4020, label %B5208.if [
     i32 -2, label %B5208.endif
     i32 0, label %B5208.endif
@@ -8109,7 +8819,7 @@ B5378.if:
   %.4202.idx = shl i64 %.4102.01182, 4
   %.4202 = getelementptr i8, ptr %arg.ends_dot, i64 %.4202.idx
   store double 0.000000e+00, ptr %.4205, align 8
-  %.4209 = call i32 @begin_rate.57(ptr nonnull %.4205, ptr nonnull %excinfo.32, i64 %.575.sroa.0.01194, ptr %.4202)
+  %.4209 = call i32 @begin_rate.60(ptr nonnull %.4205, ptr nonnull %excinfo.32, i64 %.575.sroa.0.01194, ptr %.4202)
   %.4219 = load double, ptr %.4205, align 8
   switch i32 %.4209, label %B5380.if [
     i32 -2, label %B5380.endif
@@ -8125,7 +8835,7 @@ B5380.if:
 
 B5380.endif:
   store double 0.000000e+00, ptr %.4232, align 8
-  %.4236 = call i32 @size_rate.63(ptr nonnull %.4232, ptr nonnull %excinfo.33, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.4202)
+  %.4236 = call i32 @size_rate.66(ptr nonnull %.4232, ptr nonnull %excinfo.33, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.4202)
   switch i32 %.4236, label %B5380.endif.if [
     i32 -2, label %B5380.endif.endif
     i32 0, label %B5380.endif.endif
@@ -8183,7 +8893,7 @@ B5662.endif:
   br i1 %.585, label %B1408, label %B5720
 }
 
-define internal i32 @moving_groups.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
+define internal i32 @moving_groups.59(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
 entry:
   %.11 = getelementptr i8, ptr %arg.layout, i64 32
   %.12 = load i64, ptr %.11, align 8
@@ -8218,7 +8928,7 @@ B60.if:
   br i1 %.146.not, label %B188, label %B150
 }
 
-define internal i32 @begin_rate.57(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
+define internal i32 @begin_rate.60(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
 entry:
   %.8 = icmp eq i64 %arg.step, 0
   br i1 %.8, label %B16, label %B34
@@ -8233,7 +8943,7 @@ B34:
   ret i32 0
 }
 
-define internal i32 @size_rate.63(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
+define internal i32 @size_rate.66(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
 entry:
   %.31 = alloca double, align 8
   store double 0.000000e+00, ptr %.31, align 8
@@ -8251,7 +8961,7 @@ B22:
 B40:
   %"$phi40.0.2.0" = phi double [ %.17, %B22 ], [ 0.000000e+00, %entry ]
   store double 0.000000e+00, ptr %.31, align 8
-  %.35 = call i32 @begin_rate.57(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
+  %.35 = call i32 @begin_rate.60(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
   switch i32 %.35, label %B40.if [
     i32 -2, label %B40.endif
     i32 0, label %B40.endif
@@ -8275,7 +8985,7 @@ B40.endif:
   br label %common.ret
 }
 
-define internal i32 @multiply_sides.58(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
+define internal i32 @multiply_sides.61(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
 entry:
   %.11082.not = icmp slt i64 %arg.count, 1
   br i1 %.11082.not, label %B314, label %B34.if
@@ -8330,7 +9040,7 @@ B198.if:
   br i1 %exitcond.not, label %B34.loopexit, label %B198.if
 }
 
-define internal i32 @add_scaled.65(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
+define internal i32 @add_scaled.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
 entry:
   br label %B34.if
 
@@ -8352,7 +9062,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @mark_moving.59(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
+define internal i32 @mark_moving.62(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
 entry:
   %.17 = getelementptr i8, ptr %arg.layout, i64 32
   %.18 = load i64, ptr %.17, align 8
@@ -8432,7 +9142,7 @@ B364.if:
   br i1 %.439, label %B398, label %B408
 }
 
-define internal i32 @push_drive.60(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_drive.63(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.319 = alloca ptr, align 8
   store ptr null, ptr %.319, align 8
@@ -8502,7 +9212,7 @@ B248.if:
   %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
   %.282 = add nuw nsw i64 %.213.0124, 1
   store ptr null, ptr %.319, align 8
-  %.323 = call i32 @push.66(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.323 = call i32 @push.69(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.323, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -8536,7 +9246,7 @@ B406.if:
   br i1 %.485, label %B456, label %B490
 }
 
-define internal i32 @push_jacobian.61(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_jacobian.64(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.350 = alloca ptr, align 8
   store ptr null, ptr %.350, align 8
@@ -8630,7 +9340,7 @@ B566.if:
   %.405.0127 = phi i64 [ %.474, %B568.endif.endif ], [ 0, %B508 ]
   %.474 = add nuw nsw i64 %.405.0127, 1
   store ptr null, ptr %.510, align 8
-  %.514 = call i32 @push.66(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.514 = call i32 @push.69(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.514, label %B568.if [
     i32 -2, label %B568.endif
     i32 0, label %B568.endif
@@ -8665,7 +9375,7 @@ B568.endif.endif:
   br i1 %exitcond.not, label %B699, label %B566.if
 }
 
-define internal i32 @add_masses.62(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+define internal i32 @add_masses.65(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
 entry:
   %.9874.not = icmp slt i64 %arg.n, 1
   br i1 %.9874.not, label %B202, label %B34.if
@@ -8702,7 +9412,7 @@ B100.if:
   br i1 %exitcond.not, label %B34.loopexit, label %B100.if
 }
 
-define internal i32 @push_numbers.64(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_numbers.67(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.596 = alloca ptr, align 8
   store ptr null, ptr %.596, align 8
@@ -8915,7 +9625,7 @@ B1262.if:
   br i1 %.1051, label %B1312, label %B1384
 }
 
-define internal i32 @push.66(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push.69(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.69 = alloca ptr, align 8
   store ptr null, ptr %.69, align 8
@@ -9007,12 +9717,12 @@ B396.if.lr.ph:
 define i64 @run_tape(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @run_tape.67(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
+  %1 = call i32 @run_tape.70(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @run_tape.67(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
+define internal i32 @run_tape.70(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
   %.166 = alloca i64, align 8
   store i64 0, ptr %.166, align 8
@@ -9205,7 +9915,7 @@ B52:
   %.61.1405 = phi i64 [ 32, %B52.lr.ph ], [ %.61.1, %B48.loopexit ]
   %.163 = sub nsw i64 %arg.rows, %.110.sroa.0.0407
   store i64 0, ptr %.166, align 8
-  %.172 = call i32 @numba.68(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 32, i64 %.163)
+  %.172 = call i32 @numba.71(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 32, i64 %.163)
   %.182 = load i64, ptr %.166, align 8
   switch i32 %.172, label %B52.if [
     i32 -2, label %B52.endif
@@ -9217,7 +9927,7 @@ B310:
   %.370 = getelementptr double, ptr %arg.constants, i64 %.369
   %.371 = load double, ptr %.370, align 8
   store ptr null, ptr %.376, align 8
-  %.380 = call i32 @fill.69(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
+  %.380 = call i32 @fill.72(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
   switch i32 %.380, label %B310.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9233,7 +9943,7 @@ B380:
   %1 = getelementptr double, ptr %arg.given, i64 %.418
   %.428 = getelementptr double, ptr %1, i64 %.425
   store ptr null, ptr %.438, align 8
-  %.442 = call i32 @pick.70(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
+  %.442 = call i32 @pick.73(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
   switch i32 %.442, label %B380.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9298,7 +10008,7 @@ B612:
   %2 = getelementptr double, ptr %arg.found, i64 %.505
   %.517 = getelementptr double, ptr %2, i64 %.514
   store ptr null, ptr %.520, align 8
-  %.524 = call i32 @put.71(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
+  %.524 = call i32 @put.74(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
   switch i32 %.524, label %B612.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9306,7 +10016,7 @@ B612:
 
 B750:
   store ptr null, ptr %.563, align 8
-  %.567 = call i32 @each_same.72(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
+  %.567 = call i32 @each_same.75(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.567, label %B750.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9314,7 +10024,7 @@ B750:
 
 B810:
   store ptr null, ptr %.605, align 8
-  %.609 = call i32 @each_add.73(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.609 = call i32 @each_add.76(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.609, label %B810.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9322,7 +10032,7 @@ B810:
 
 B872:
   store ptr null, ptr %.649, align 8
-  %.653 = call i32 @each_sub.74(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.653 = call i32 @each_sub.77(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.653, label %B872.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9330,7 +10040,7 @@ B872:
 
 B934:
   store ptr null, ptr %.693, align 8
-  %.697 = call i32 @each_mul.75(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.697 = call i32 @each_mul.78(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.697, label %B934.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9338,7 +10048,7 @@ B934:
 
 B996:
   store ptr null, ptr %.737, align 8
-  %.741 = call i32 @each_div.76(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.741 = call i32 @each_div.79(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.741, label %B996.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9346,7 +10056,7 @@ B996:
 
 B1058:
   store ptr null, ptr %.782, align 8
-  %.786 = call i32 @each_neg.77(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
+  %.786 = call i32 @each_neg.80(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.786, label %B1058.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9354,7 +10064,7 @@ B1058:
 
 B1118:
   store ptr null, ptr %.826, align 8
-  %.830 = call i32 @each_mul.75(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  %.830 = call i32 @each_mul.78(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
   switch i32 %.830, label %B1118.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9362,7 +10072,7 @@ B1118:
 
 B1180:
   store ptr null, ptr %.870, align 8
-  %.874 = call i32 @each_add.73(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  %.874 = call i32 @each_add.76(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
   switch i32 %.874, label %B1180.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9370,7 +10080,7 @@ B1180:
 
 B1242:
   store ptr null, ptr %.913, align 8
-  %.917 = call i32 @each_inv.78(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
+  %.917 = call i32 @each_inv.81(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.917, label %B1242.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9378,7 +10088,7 @@ B1242:
 
 B1302:
   store ptr null, ptr %.956, align 8
-  %.960 = call i32 @each_sqrt.79(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
+  %.960 = call i32 @each_sqrt.82(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.960, label %B1302.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9386,7 +10096,7 @@ B1302:
 
 B1362:
   store ptr null, ptr %.999, align 8
-  %.1003 = call i32 @each_fabs.80(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
+  %.1003 = call i32 @each_fabs.83(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1003, label %B1362.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9394,7 +10104,7 @@ B1362:
 
 B1422:
   store ptr null, ptr %.1042, align 8
-  %.1046 = call i32 @each_exp.81(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
+  %.1046 = call i32 @each_exp.84(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1046, label %B1422.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9402,7 +10112,7 @@ B1422:
 
 B1482:
   store ptr null, ptr %.1085, align 8
-  %.1089 = call i32 @each_log.82(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
+  %.1089 = call i32 @each_log.85(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1089, label %B1482.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9410,7 +10120,7 @@ B1482:
 
 B1542:
   store ptr null, ptr %.1127, align 8
-  %.1131 = call i32 @each_pow.83(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1131 = call i32 @each_pow.86(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1131, label %B1542.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9418,7 +10128,7 @@ B1542:
 
 B1604:
   store ptr null, ptr %.1172, align 8
-  %.1176 = call i32 @each_sin.84(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
+  %.1176 = call i32 @each_sin.87(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1176, label %B1604.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9426,7 +10136,7 @@ B1604:
 
 B1664:
   store ptr null, ptr %.1215, align 8
-  %.1219 = call i32 @each_cos.85(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
+  %.1219 = call i32 @each_cos.88(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1219, label %B1664.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9434,7 +10144,7 @@ B1664:
 
 B1724:
   store ptr null, ptr %.1258, align 8
-  %.1262 = call i32 @each_tan.86(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
+  %.1262 = call i32 @each_tan.89(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1262, label %B1724.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9442,7 +10152,7 @@ B1724:
 
 B1784:
   store ptr null, ptr %.1301, align 8
-  %.1305 = call i32 @each_asin.87(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
+  %.1305 = call i32 @each_asin.90(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1305, label %B1784.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9450,7 +10160,7 @@ B1784:
 
 B1844:
   store ptr null, ptr %.1344, align 8
-  %.1348 = call i32 @each_acos.88(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
+  %.1348 = call i32 @each_acos.91(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1348, label %B1844.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9458,7 +10168,7 @@ B1844:
 
 B1904:
   store ptr null, ptr %.1387, align 8
-  %.1391 = call i32 @each_atan.89(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
+  %.1391 = call i32 @each_atan.92(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1391, label %B1904.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9466,7 +10176,7 @@ B1904:
 
 B1964:
   store ptr null, ptr %.1429, align 8
-  %.1433 = call i32 @each_atan_of_two.90(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1433 = call i32 @each_atan_of_two.93(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1433, label %B1964.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9474,7 +10184,7 @@ B1964:
 
 B2026:
   store ptr null, ptr %.1474, align 8
-  %.1478 = call i32 @each_sinh.91(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
+  %.1478 = call i32 @each_sinh.94(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1478, label %B2026.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9482,7 +10192,7 @@ B2026:
 
 B2086:
   store ptr null, ptr %.1517, align 8
-  %.1521 = call i32 @each_cosh.92(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
+  %.1521 = call i32 @each_cosh.95(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1521, label %B2086.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9490,7 +10200,7 @@ B2086:
 
 B2146:
   store ptr null, ptr %.1560, align 8
-  %.1564 = call i32 @each_tanh.93(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
+  %.1564 = call i32 @each_tanh.96(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1564, label %B2146.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9498,7 +10208,7 @@ B2146:
 
 B2206:
   store ptr null, ptr %.1602, align 8
-  %.1606 = call i32 @each_less.94(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1606 = call i32 @each_less.97(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1606, label %B2206.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9506,7 +10216,7 @@ B2206:
 
 B2268:
   store ptr null, ptr %.1646, align 8
-  %.1650 = call i32 @each_less_or_equal.95(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1650 = call i32 @each_less_or_equal.98(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1650, label %B2268.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9514,7 +10224,7 @@ B2268:
 
 B2330:
   store ptr null, ptr %.1690, align 8
-  %.1694 = call i32 @each_equal.96(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1694 = call i32 @each_equal.99(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1694, label %B2330.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9522,7 +10232,7 @@ B2330:
 
 B2392:
   store ptr null, ptr %.1734, align 8
-  %.1738 = call i32 @each_unequal.97(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1738 = call i32 @each_unequal.100(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1738, label %B2392.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9530,7 +10240,7 @@ B2392:
 
 B2454:
   store ptr null, ptr %.1779, align 8
-  %.1783 = call i32 @each_not.98(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
+  %.1783 = call i32 @each_not.101(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1783, label %B2454.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9538,7 +10248,7 @@ B2454:
 
 B2514:
   store ptr null, ptr %.1821, align 8
-  %.1825 = call i32 @each_and.99(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1825 = call i32 @each_and.102(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1825, label %B2514.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9546,7 +10256,7 @@ B2514:
 
 B2576:
   store ptr null, ptr %.1865, align 8
-  %.1869 = call i32 @each_or.100(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1869 = call i32 @each_or.103(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1869, label %B2576.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9554,7 +10264,7 @@ B2576:
 
 B2638:
   store ptr null, ptr %.1909, align 8
-  %.1913 = call i32 @each_where.101(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1913 = call i32 @each_where.104(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1913, label %B2638.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9562,7 +10272,7 @@ B2638:
 
 B2700:
   store ptr null, ptr %.1953, align 8
-  %.1957 = call i32 @each_smaller.102(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1957 = call i32 @each_smaller.105(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1957, label %B2700.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9570,7 +10280,7 @@ B2700:
 
 B2762:
   store ptr null, ptr %.1997, align 8
-  %.2001 = call i32 @each_larger.103(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.2001 = call i32 @each_larger.106(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.2001, label %B2762.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9578,7 +10288,7 @@ B2762:
 
 B2824:
   store ptr null, ptr %.2042, align 8
-  %.2046 = call i32 @each_sign.104(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
+  %.2046 = call i32 @each_sign.107(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2046, label %B2824.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9586,7 +10296,7 @@ B2824:
 
 B2884:
   store ptr null, ptr %.2083, align 8
-  %.2087 = call i32 @each_log_of_more.105(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
+  %.2087 = call i32 @each_log_of_more.108(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2087, label %B2884.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9594,7 +10304,7 @@ B2884:
 
 B2944:
   store ptr null, ptr %.2124, align 8
-  %.2128 = call i32 @each_exp_less_one.106(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
+  %.2128 = call i32 @each_exp_less_one.109(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2128, label %B2944.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9925,14 +10635,14 @@ B2944.if:
   br label %common.ret
 }
 
-define internal i32 @numba.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
+define internal i32 @numba.71(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
 entry:
   %.11 = call i64 @llvm.smin.i64(i64 %arg.x.1, i64 %arg.x.0)
   store i64 %.11, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @fill.69(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
+define internal i32 @fill.72(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B50, label %B34.if
@@ -9950,7 +10660,7 @@ B34.if:
   br i1 %exitcond.not, label %B50, label %B34.if
 }
 
-define internal i32 @pick.70(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
+define internal i32 @pick.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
 entry:
   %.9535.not = icmp slt i64 %arg.n, 1
   br i1 %.9535.not, label %B68, label %B34.if
@@ -9971,7 +10681,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @put.71(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
+define internal i32 @put.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
 entry:
   %.9535.not = icmp slt i64 %arg.n, 1
   br i1 %.9535.not, label %B68, label %B34.if
@@ -9992,7 +10702,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @each_same.72(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_same.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B62, label %B34.if.preheader
@@ -10007,7 +10717,7 @@ B62:
   ret i32 0
 }
 
-define internal i32 @each_add.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_add.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10030,7 +10740,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_sub.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_sub.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10053,7 +10763,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_mul.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_mul.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10076,7 +10786,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_div.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_div.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10099,7 +10809,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_neg.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_neg.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B64, label %B34.if
@@ -10120,7 +10830,7 @@ B34.if:
   br i1 %exitcond.not, label %B64, label %B34.if
 }
 
-define internal i32 @each_inv.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_inv.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B68, label %B34.if
@@ -10141,7 +10851,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @each_sqrt.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sqrt.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10162,7 +10872,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_fabs.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_fabs.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10183,7 +10893,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_exp.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_exp.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10204,7 +10914,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_log.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_log.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10225,7 +10935,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_pow.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_pow.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B112, label %B34.if
@@ -10248,7 +10958,7 @@ B34.if:
   br i1 %exitcond.not, label %B112, label %B34.if
 }
 
-define internal i32 @each_sin.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sin.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10269,7 +10979,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_cos.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_cos.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10290,7 +11000,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_tan.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_tan.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10311,7 +11021,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_asin.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_asin.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10332,7 +11042,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_acos.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_acos.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10353,7 +11063,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_atan.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_atan.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10374,7 +11084,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_atan_of_two.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_atan_of_two.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B112, label %B34.if
@@ -10397,7 +11107,7 @@ B34.if:
   br i1 %exitcond.not, label %B112, label %B34.if
 }
 
-define internal i32 @each_sinh.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sinh.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10418,7 +11128,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_cosh.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_cosh.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10439,7 +11149,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_tanh.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_tanh.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10460,7 +11170,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_less.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_less.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -10484,7 +11194,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_less_or_equal.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_less_or_equal.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -10508,7 +11218,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_equal.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_equal.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -10532,7 +11242,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_unequal.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_unequal.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -10556,7 +11266,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_not.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_not.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9237.not = icmp slt i64 %arg.n, 1
   br i1 %.9237.not, label %B78, label %B34.if
@@ -10578,7 +11288,7 @@ B34.if:
   br i1 %exitcond.not, label %B78, label %B34.if
 }
 
-define internal i32 @each_and.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_and.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B102, label %B34.if
@@ -10612,7 +11322,7 @@ B34.if:
   br i1 %.140, label %B62, label %B90
 }
 
-define internal i32 @each_or.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_or.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B102, label %B34.if
@@ -10646,7 +11356,7 @@ B34.if:
   br i1 %.140, label %B92, label %B62
 }
 
-define internal i32 @each_where.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_where.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -10676,7 +11386,7 @@ B34.if:
   br i1 %.140, label %B62, label %B80
 }
 
-define internal i32 @each_smaller.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_smaller.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9542.not = icmp slt i64 %arg.n, 1
   br i1 %.9542.not, label %B150, label %B34.if
@@ -10702,7 +11412,7 @@ B34.if:
   br i1 %exitcond.not, label %B150, label %B34.if
 }
 
-define internal i32 @each_larger.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_larger.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9542.not = icmp slt i64 %arg.n, 1
   br i1 %.9542.not, label %B150, label %B34.if
@@ -10728,7 +11438,7 @@ B34.if:
   br i1 %exitcond.not, label %B150, label %B34.if
 }
 
-define internal i32 @each_sign.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sign.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9239.not = icmp slt i64 %arg.n, 1
   br i1 %.9239.not, label %B118, label %B34.if
@@ -10752,7 +11462,7 @@ B34.if:
   br i1 %exitcond.not, label %B118, label %B34.if
 }
 
-define internal i32 @each_log_of_more.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_log_of_more.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10773,7 +11483,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_exp_less_one.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_exp_less_one.109(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10827,11 +11537,11 @@ declare double @sqrt(double)
 define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow.107(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow.110(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow.110(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
 entry:
   %.33 = mul nsw i64 %arg.channels, %arg.count
   %.119167.not = icmp slt i64 %.33, 1
@@ -10965,11 +11675,11 @@ B590.if:
 define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_turning.108(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow_turning.111(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow_turning.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow_turning.111(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
 entry:
   %.33 = mul nsw i64 %arg.channels, %arg.count
   %0 = call i64 @llvm.smax.i64(i64 %.33, i64 0)

@@ -54,6 +54,14 @@ class MarchSettings:
     min_factor: float = 0.2
     memory: float = 0.08
 
+    @property
+    def row(self) -> np.ndarray:
+        """In the order that `source.steps` expects."""
+        return np.array([
+            self.tolerance, self.motion_time, self.largest, self.smallest,
+            self.safety, self.max_factor, self.min_factor, self.memory,
+        ])  # fmt: skip
+
 
 @dataclass
 class MarchState:
@@ -110,10 +118,6 @@ def march(
     n = assembly.unknowns
     Y = np.concatenate([np.zeros(n + assembly.drives + 1), rest])
     _check(assembly, lu, mass, state, edges, settings, Y)
-    numbers = np.array([
-        settings.tolerance, settings.motion_time, settings.largest, settings.smallest,
-        settings.safety, settings.max_factor, settings.min_factor, settings.memory,
-    ])  # fmt: skip
     clock = np.array([state.time, state.size, state.before])
     counts = np.array(
         [state.edge, state.steps, state.rejected, state.residuals, state.jacobians, 0],
@@ -128,7 +132,7 @@ def march(
         *(layout, assembly.kernels, assembly.idx, assembly.rows, lu.entries_of(assembly.pos)),
         *(assembly.all_numbers, assembly.drive_rows, assembly.drive_columns),
         *(lu.blocks, lu.own, lu.slots, lu.lu_start, lu.lu_columns, lu.diagonal),
-        *(mass, len(settings.powers), settings.powers, METHOD, numbers, edges, len(edges)),
+        *(mass, len(settings.powers), settings.powers, METHOD, settings.row, edges, len(edges)),
         *(max_steps, y, Y, clock, counts, outputs.reshape(-1)),
         *(-1 if record is None else record.chunk, room.reshape(-1)),
         np.empty(work_size(assembly, lu)),

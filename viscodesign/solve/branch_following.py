@@ -110,11 +110,16 @@ def _on_branch(
     jacobian: ca.DM,
 ) -> bool:
     """Whether a solution is near one of those given, and stable."""
-    size = max(1.0, float(np.max(np.abs(found[span]))))
-    distance = min(np.max(np.abs(found[span] - other[span])) for other in near)
-    if distance > SAME_BRANCH_DISTANCE * size:
+    if not on_same_branch(span, near, found):
         return False
     return stability.is_stable(np.array(jacobian.nonzeros()))
+
+
+def on_same_branch(span: slice, near: Sequence[np.ndarray], found: np.ndarray) -> bool:
+    """Whether a solution is near one of those given."""
+    size = max(1.0, float(np.max(np.abs(found[span]))))
+    distance = min(np.max(np.abs(found[span] - other[span])) for other in near)
+    return bool(distance <= SAME_BRANCH_DISTANCE * size)
 
 
 def limit_point(problem: Problem, time: float) -> SolveError:

@@ -136,6 +136,33 @@ def test_a_batch_names_rows_that_fail(function: CompiledFunction) -> None:
     assert np.array_equal(batch["tip_x_m"][0], function(values)["tip_x_m"])
 
 
+def test_rows_are_solved_together_as_each_alone(function: CompiledFunction) -> None:
+    """One of them has corners in another order, one ends, one is out of range."""
+    spread = np.linspace(0.98, 1.03, 5)[:, None] * np.ones(4)
+    odd = [[1.0, 1.0, 0.1, 1.0], [1.0, 1e-3, 1.0, 1.0], [1.0, -1.0, 1.0, 1.0]]
+    rows = function.values * np.concatenate([spread, odd])
+    together = [columns is not None for columns in function._solved_together(rows)]
+    assert together[:5] == [True] * 5
+    assert together[-2:] == [False] * 2
+    batch = function.batch(rows)
+    for k, row in enumerate(rows):
+        if batch.status[k] == "complete":
+            alone = function(row)
+            assert all(np.array_equal(batch[name][k], alone[name]) for name in alone)
+        else:
+            assert np.all(np.isnan(batch["tip_x_m"][k]))
+            with pytest.raises((SolveError, SpecError)) as failure:
+                function(row)
+            assert str(failure.value) == batch.status[k]
+    assert batch.status[-1] != "complete"
+
+
+def test_an_empty_batch_has_no_rows(function: CompiledFunction) -> None:
+    batch = function.batch([])
+    assert batch.status == []
+    assert len(batch["tip_x_m"]) == 0
+
+
 def test_answers_are_the_callers_own(function: CompiledFunction) -> None:
     wanted = function()["tip_z_m"].copy()
     function()["tip_z_m"][:] = 0.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 from types import SimpleNamespace
 
 import casadi as ca
@@ -14,6 +15,7 @@ from scipy.linalg import expm
 from tests.unit.native.network import Network, formulas, network
 from viscodesign.native.loops import IR_FILE, Loops, PythonLoops, native_loops, source_digest
 from viscodesign.native.march import MarchSettings, MarchState, MarchStatus, march
+from viscodesign.native.row_marches import march_rows, sums_of_rows
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
 
@@ -199,6 +201,43 @@ def test_marching_in_parts_changes_nothing() -> None:
         found.append(some)
     np.testing.assert_array_equal(np.concatenate(found), wanted)
     assert parts.steps == whole.steps
+
+
+def test_rows_with_numbers_of_their_own_march_as_each_alone() -> None:
+    edges = [np.linspace(0.1, end, 3) for end in (0.3, 0.6, 0.4)]
+    chance, sizes = np.random.default_rng(1), np.array([1e-3, 0.1, 0.02])
+    for loops in both():
+        net = network(2, loops)
+        lu = SparseLU(net.assembly.unknowns, net.rows, net.columns, loops=loops)
+        factors = chance.uniform(0.5, 2.0, (3, len(net.assembly.all_numbers)))
+        numbers = net.assembly.all_numbers * factors
+        begun = np.array([net.y_of(np.full(5, 0.1 * k), 0.05 * k, REST) for k in range(3)])
+        how = [replace(settings(net, 1e-4, 0.2), motion_time=1.0 + k) for k in range(3)]
+        found = march_rows(net.assembly, lu, net.mass, numbers, begun, how, sizes, edges, 1000)
+        J, residuals = sums_of_rows(net.assembly, numbers, begun.copy())
+        assert found.finished.all()
+        for k in range(3):
+            alone = net.assembly.copy()
+            alone.all_numbers[:] = numbers[k]
+            Y = begun[k].copy()
+            alone.drive(Y)
+            np.testing.assert_array_equal(J[k], alone.jacobian(Y))
+            np.testing.assert_array_equal(residuals[k], alone.residual(Y))
+            state = MarchState(begun[k, :5], begun[k, 6], sizes[k])
+            _, outputs = march(alone, lu, net.mass, REST, state, edges[k], how[k], 1000)
+            np.testing.assert_array_equal(found.outputs[k], outputs)
+            np.testing.assert_array_equal(found.y[k], state.y)
+            assert (found.sizes[k], found.steps[k]) == (state.size, state.steps)
+        few = march_rows(net.assembly, lu, net.mass, numbers, begun, how, sizes, edges, 9)
+        assert few.finished.tolist() == (found.steps <= 9).tolist()
+
+
+def test_rows_that_do_not_fit_are_refused() -> None:
+    net = network(2, native_loops())
+    with pytest.raises(ValueError, match="too short"):
+        sums_of_rows(net.assembly, net.assembly.all_numbers[None], np.zeros((1, 5)))
+    with pytest.raises(ValueError, match="numbers of shape"):
+        sums_of_rows(net.assembly, net.assembly.all_numbers[None], np.zeros((2, 9)))
 
 
 def test_order_five_and_dense_order_four_of_a_linear_system() -> None:

@@ -14,7 +14,7 @@ from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.events import Crossing, EventWatch
 from viscodesign.solve.problem import Problem, Schedule
 from viscodesign.solve.solvers.base import Work
-from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps
+from viscodesign.solve.solvers.rodas_stretch import CONTROL, Reached, StretchSteps, largest_step
 from viscodesign.solve.statics import Start
 
 
@@ -131,20 +131,28 @@ class NativeSteps(StretchSteps):
         record: StepRecord | None = None,
     ) -> tuple[MarchStatus, np.ndarray]:
         """Steps over the stretch from ``begin`` to the last of its edges; see `native.march`."""
-        settings = MarchSettings(
+        equations, stretch = self.problem.equations, float(edges[-1]) - begin
+        scales = equations.motion_time, equations.swing_time
+        settings = self.settings(*scales, stretch, float(self.problem.schedule.edges[-1]))
+        mass = self._local.form.balances.mass
+        given = (self.assembly, self._compiled.lu, mass, rest, state, edges, settings)
+        return march(*given, max_steps, record)
+
+    def settings(
+        self, motion_time: float, swing_time: float, stretch: float, end: float
+    ) -> MarchSettings:
+        """What steers the steps over a stretch of a length in a run up to ``end`` [s]."""
+        return MarchSettings(
             tolerance=self.tolerance,
-            motion_time=self.problem.equations.motion_time,
+            motion_time=motion_time,
             powers=self._powers,
-            largest=self.largest_size(float(edges[-1]) - begin),
-            smallest=CONTROL.min_step * float(self.problem.schedule.edges[-1]),
+            largest=largest_step(swing_time, stretch),
+            smallest=CONTROL.min_step * end,
             safety=CONTROL.safety,
             max_factor=CONTROL.max_factor,
             min_factor=CONTROL.min_factor,
             memory=CONTROL.memory,
         )
-        mass = self._local.form.balances.mass
-        given = (self.assembly, self._compiled.lu, mass, rest, state, edges, settings)
-        return march(*given, max_steps, record)
 
     def unknowns_at(self, start: Start, time: float, piece: np.ndarray) -> np.ndarray:
         """Unknowns of the native equations (n,), integrals zero."""
@@ -154,6 +162,18 @@ class NativeSteps(StretchSteps):
 
     def _with_sums(self, y: np.ndarray, time: float, piece: np.ndarray) -> np.ndarray:
         """Unknowns and integrals with the sums in between."""
-        x, z, integrals = np.split(y, [self.problem.equations.states.count, self.problem.unknowns])
-        sums = self._local.start(x, z, time, piece, self.problem.numbers())
-        return np.concatenate([x, z, np.array(sums).ravel(), integrals])
+        numbers = self.problem.numbers()
+        return self.with_sums(y[None], np.array([time]), piece[None], numbers[None]).ravel()
+
+    def with_sums(
+        self, y: np.ndarray, times: np.ndarray, pieces: np.ndarray, numbers: np.ndarray
+    ) -> np.ndarray:
+        """Unknowns of the native equations (m, n), for unknowns and integrals (m, ...) each.
+
+        ``times`` (m,), ``pieces`` (m, c), and the numbers (m, p) of `Problem.numbers`.
+        """
+        states, unknowns = self.problem.equations.states.count, self.problem.unknowns
+        x, z, integrals = y[:, :states], y[:, states:unknowns], y[:, unknowns:]
+        given = [x, z, times[:, None], pieces, numbers]
+        (sums,) = self._local.start_by_tape.rows(given, len(y))
+        return np.concatenate([x, z, sums, integrals], axis=1)

@@ -42,6 +42,16 @@ class StepControl:
 CONTROL = StepControl()
 
 
+def first_step(motion_time: float, stretch: float) -> float:
+    """The first step of a run [s], by the rod's time scale and the length of the stretch [s]."""
+    return CONTROL.first_step * min(motion_time, stretch)
+
+
+def largest_step(swing_time: float, stretch: float) -> float:
+    """The largest step within a stretch [s]; see `StretchSteps.largest_size`."""
+    return max(swing_time, stretch / CONTROL.min_steps_per_stretch)
+
+
 @dataclass
 class Reached:
     """What steps over a stretch found."""
@@ -95,7 +105,7 @@ class StretchSteps(ABC):
         """The first step of a stretch [s]."""
         if size is not None:
             return min(size, stretch)
-        return CONTROL.first_step * min(self.problem.equations.motion_time, stretch)
+        return first_step(self.problem.equations.motion_time, stretch)
 
     def largest_size(self, stretch: float) -> float:
         """The largest step within a stretch [s].
@@ -103,7 +113,7 @@ class StretchSteps(ABC):
         No step is longer than a swing of the input, however smooth all was before; a swing far
         shorter than the stretch has corners of its own.
         """
-        return max(self.problem.equations.swing_time, stretch / CONTROL.min_steps_per_stretch)
+        return largest_step(self.problem.equations.swing_time, stretch)
 
     @property
     def steps_at_once(self) -> int:
