@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: run test lint check docs clean
+.PHONY: run test lint check docs benchmarks clean
 
 run: $(VENV)/.main
 	$(BIN)/viscodesign simulate configs/leg.yaml
@@ -21,6 +21,9 @@ check: lint
 
 docs: $(VENV)/.dev
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs site
+
+benchmarks: $(VENV)/.dev
+	$(BIN)/python benchmarks/all.py
 
 $(VENV)/.main: pyproject.toml
 	$(PYTHON) -m venv $(VENV)

@@ -1,6 +1,7 @@
 """How the cost of viscodesign grows with the size of the problem.
 
     python benchmarks/growth.py            # measure what is missing, then report
+    python benchmarks/growth.py --again    # measure all of it anew
     python benchmarks/growth.py --report   # report existing results
 
 Five families, each from configs/leg_16_straight_air.yaml, at its accuracy of 0.5 %:
@@ -64,6 +65,7 @@ def main() -> None:
     """Measure and report."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--report", action="store_true", help="only report")
+    parser.add_argument("--again", action="store_true", help="also measure what is there")
     parser.add_argument(
         "--only", nargs=2, metavar=("FAMILY", "SIZE"), help="one point, in this process"
     )
@@ -89,14 +91,17 @@ def measure_all(given: argparse.Namespace) -> None:
     given.output.parent.mkdir(parents=True, exist_ok=True)
     lines = given.output.read_text().splitlines() if given.output.exists() else []
     done = {(r["family"], r["size"]): r for r in map(json.loads, lines)}
+    if given.again:
+        done = {point: r for point, r in done.items() if point[0] not in given.families}
     for family in given.families:
         for size in (s for s in FAMILIES[family] if s <= given.largest):
-            record = done.get((family, size)) or _in_process(family, size, given.timeout)
             if (family, size) not in done:
-                with given.output.open("a") as file:
-                    file.write(json.dumps(record) + "\n")
+                done[family, size] = record = _in_process(family, size, given.timeout)
+                fresh = given.output.with_suffix(".part")
+                fresh.write_text("".join(json.dumps(r) + "\n" for r in done.values()))
+                fresh.replace(given.output)
                 print(_told(record), flush=True)
-            if record["note"]:
+            if done[family, size]["note"]:
                 break
 
 

@@ -51,13 +51,13 @@ ONE_THREAD = dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
 ) | {"XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"}
 ROUNDS = 1
-BUDGET = 25.0
+BUDGET = 20.0
 """Wall time of one contestant in one case and round [s]."""
 FEWEST, MOST, PATIENCE = 5, 25, 1.0
 """Warm solutions at least and at most, and how long they are repeated in between [s]."""
 DUEL_ERROR = 1e-3
 """Error that the settings have which meet in one process."""
-DUEL_PATIENCE = 30.0
+DUEL_PATIENCE = 15.0
 """How long they meet [s]."""
 SLOW = 2.0
 """A solution that takes longer [s] is not repeated FEWEST times but twice."""
