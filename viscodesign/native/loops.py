@@ -188,4 +188,8 @@ def address(array: np.ndarray, kind: str) -> int:
     """Where the values of an array begin."""
     if array.dtype != DTYPES[kind] or not array.flags.c_contiguous:
         raise ValueError(f"needs an array of {DTYPES[kind].__name__} without gaps")
-    return int(array.__array_interface__["data"][0])
+    try:
+        # In a fifth of the time of the array interface, and a run asks a hundred times.
+        return ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
+    except (TypeError, ValueError):  # a read-only array, or one without entries
+        return int(array.__array_interface__["data"][0])
