@@ -17,6 +17,7 @@ SCRIPTS = (
     "tip_path.js",
     "player.js",
     "tables.js",
+    "effect_bars.js",
     "sketch_model.js",
     "sketch.js",
     "main.js",

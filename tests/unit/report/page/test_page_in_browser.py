@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 from tests.scenes import CONFIGS
-from tests.trajectories import VERDICTS, ablated_run, made_run, with_two_inlets
+from tests.trajectories import VERDICTS, ablated_run, made_run, of_scene, with_two_inlets
 from viscodesign import load, simulate
+from viscodesign.report.layout.snapshots import normals
 from viscodesign.report.run_folder import write_run
 from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.results.findings import Notice
@@ -161,12 +162,109 @@ def test_a_warning_leads_to_its_time(open_page: Open) -> None:
     assert "not shown" in str(page.text_content("#warnings li"))
 
 
-def test_no_screen_is_too_narrow(open_page: Open) -> None:
-    page = open_page(ablated_run())
+WIDE = """new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(
+  Math.max(document.documentElement.scrollWidth, ...[...document.querySelectorAll("fieldset, .stacked *")]
+    .map((own) => own.getBoundingClientRect().right))))))"""
+"""How far the page and what must be read without scrolling reach [pixel]."""
+
+
+@pytest.mark.parametrize("kind", ["ablated", "one_time", "interrupted"])
+def test_no_screen_is_too_narrow(open_page: Open, kind: str) -> None:
+    changes: dict[str, Any] = {
+        "ablated": {},
+        "one_time": {"time": np.ones(1), "inlet": lambda t: 0 * t + 2e4},
+        "interrupted": {"time": np.linspace(0, 1.23, 62), "status": "interrupted"},
+    }[kind]
+    page = open_page(of_scene(ablated_run(**changes), load(CONFIGS / "leg.yaml")))
+    assert page.is_visible("fieldset") == (kind != "one_time")
     for width in (1200, 375, 320):
         page.set_viewport_size({"width": width, "height": 700})
-        wide = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(document.documentElement.scrollWidth))))"
-        assert page.evaluate(wide) <= width
+        assert page.evaluate(WIDE) <= width
+    lines = ".stacked tbody tr"
+    tall = page.eval_on_selector_all(lines, "all => all.map((own) => own.clientHeight)")
+    words = page.eval_on_selector_all(lines, "all => all.map((own) => own.innerText.length)")
+    assert all(high <= 120 for high, told in zip(tall, words, strict=True) if told < 120)
+
+
+CONTRASTS = """() => {
+  const light = (text) => luminance(text.match(/[\\d.]+/g).slice(0, 3).map((v) => v / 255));
+  const ground = light(getComputedStyle(document.body).backgroundColor);
+  return [...document.querySelectorAll("path.curve, .dot, path.path, .key path")].map((own) => {
+    const style = getComputedStyle(own), on = light(own.matches(".dot") ? style.fill : style.stroke);
+    return (Math.max(on, ground) + 0.05) / (Math.min(on, ground) + 0.05);
+  });
+}"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_every_curve_is_seen_on_its_ground(open_page: Open, scheme: str) -> None:
+    page = open_page(made_run())
+    page.emulate_media(color_scheme=scheme)
+    contrasts = page.evaluate(CONTRASTS)
+    assert len(contrasts) > 60
+    assert min(contrasts) > 3
+
+
+def test_what_was_measured_stands_beside_the_estimate(open_page: Open) -> None:
+    page = open_page(
+        ablated_run(accuracy=Accuracy(5e-4, 1.33e-4, "by halves", None, None, 1.33e-4))
+    )
+    rows = {
+        row.query_selector("th").text_content(): row
+        for row in page.query_selector_all("#effects tbody tr")
+    }
+    told = {name: row.query_selector_all("td")[3].text_content() for name, row in rows.items()}
+    assert told["pressure distribution"] == "98.7 mm"
+    assert told["flow regime"] == "97.4 mm"
+    assert told["gas compressibility"] == "no solution"
+    assert told["fluid inertance"] == "< 1e−6 mm"  # noqa: RUF001
+    bar = rows["pressure distribution"].query_selector("svg").get_attribute("aria-label")
+    assert bar == "22800 % of the accuracy; measured: 19700 % of the accuracy"
+    assert "add up to 2.43 mm" in page.text_content("#effects")
+    parts = page.query_selector_all("#accuracy .stacked tbody tr")
+    assert [part.text_content() for part in parts] == [
+        "all parts together26.6 % of the accuracy0.133 mm"
+    ]
+
+
+def test_an_error_that_exceeds_the_motion_is_told_first(open_page: Open) -> None:
+    doubt = Notice("unresolved_motion", "the stated error exceeds the whole motion", "tip")
+    page = open_page(
+        made_run(warnings=(doubt,), inlet=lambda t: 4e4 + 10 * np.sin(t), bending=1e-3)
+    )
+    assert "the stated error exceeds the whole motion" in page.text_content("#banners")
+    colours = {cell.get_attribute("fill") for cell in page.query_selector_all(".bellow")}
+    apart = np.ptp([[int(v) for v in own[4:-1].split(",")] for own in colours], axis=0)
+    assert apart.max() < 30  # of 163: 20 Pa are no motion
+    cut = "all => all.filter((own) => own.getBBox().x < 0 && !own.transform.baseVal.length).length"
+    assert page.eval_on_selector_all(".tip-path text, .chart text", cut) == 0
+
+
+COVERED = """([places, pressures, low, high]) => {
+  const scale = pressureScale(low, high), step = (scale.high - scale.low) / COLOURS;
+  const cells = [...document.querySelectorAll("#actuator .bellow")], at = cells[0].ownerSVGElement.createSVGPoint();
+  const wrong = places.filter(([x, y], k) => {
+    Object.assign(at, { x, y });
+    const colour = Math.max(0, Math.min(COLOURS - 1, Math.floor((pressures[k] - scale.low) / step)));
+    return !cells[colour].isPointInFill(at);
+  });
+  return [wrong.length, cells.reduce((sum, own) => sum + own.getAttribute("d").length, 0)];
+}"""
+
+
+def test_neighbours_in_one_outline_cover_every_bellow(open_page: Open) -> None:
+    run, row = made_run(bellows=1024, lag=1e-5), 75
+    page = open_page(run)
+    page.evaluate(f"seek(player, Array.from(player.time).indexOf({run.time[row]}))")
+    sides = 0.25 * run.width * normals(run.shape[row])[4::8]
+    middle = run.shape[row, 4::8]
+    places = 1e3 * np.concatenate([middle + sides, middle - sides])
+    pressures = np.hstack([run.pressure, run["inlet_pressure"]])
+    limits = float(pressures.min()), float(pressures.max())
+    given = [places.tolist(), run.pressure[row].astype("f4").tolist(), *limits]
+    wrong, characters = page.evaluate(COVERED, given)
+    assert wrong == 0
+    assert characters < 20_000  # 55,000 with an outline for each
 
 
 def test_texts_of_a_spec_do_nothing(open_page: Open) -> None:
@@ -224,13 +322,29 @@ def test_an_error_of_pinned_effects_says_so(open_page: Open, mode: str) -> None:
 
 
 def test_one_output_time_has_no_player_and_no_sketch(open_page: Open) -> None:
-    page = open_page(made_run(time=np.zeros(1), inlet=lambda t: 0 * t + 2e4))
+    page = open_page(made_run(time=np.array([1.25]), inlet=lambda t: 0 * t + 2e4))
     assert not page.is_visible("#player")
     assert not page.is_visible("#sketch-body")
     assert page.is_visible("#actuator svg")
+    assert page.text_content("#actuator .clock") == "t = 1.25 s"
+    assert "One output time only, t = 1.25 s" in page.text_content("#banners")
     places = [dot.bounding_box() for dot in page.query_selector_all(".chart .dot")]
     assert len(places) > 16
     assert all(place["width"] > 4 for place in places)
+    charts = page.query_selector_all(".chart svg[data-domain]")
+    assert {chart.query_selector_all("text")[-1].text_content() for chart in charts} == {"1.25 s"}
+
+
+def test_paper_has_the_instant_and_the_spec(open_page: Open) -> None:
+    page = open_page(made_run())
+    page.evaluate("seek(player, 100)")
+    page.emulate_media(media="print")
+    page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+    assert page.is_visible("#actuator .clock")
+    assert page.text_content("#actuator .clock") == "t = 2.00 s"
+    assert page.is_visible("#spec")
+    page.evaluate("window.dispatchEvent(new Event('afterprint'))")
+    assert not page.is_visible("#spec")
 
 
 def test_nothing_computed_is_no_empty_picture(open_page: Open) -> None:

@@ -5,6 +5,9 @@
 
 const BELLOW_GAP = 0.12, AXIS_GAP = 0.08;
 const MOST_EDGED = 64, MOST_TUBES = 128, COLOURS = 32;
+// From so many sections on the gap between two is less than half a pixel; a piece of the axis of a few pixels is
+// as good as straight.
+const MERGED_SECTIONS = 140, LONGEST_PIECE = 4, USUAL_HEIGHT = 400, MOST_SPINE = 257;
 
 // Room that all shapes take: {left, right, top, bottom} in metres, z downwards.
 function roomOf(points, width) {
@@ -38,7 +41,7 @@ function makeActuator(host, body, room, scale, label) {
   }, name.length > 12 ? `${name.slice(0, 11)}…` : name)) : [];
   svg.append(trace, clampMark(pen), tubes, ...cells, spine, ...inlets, tip, ...names);
   host.append(svg);
-  return { svg, cells, tubes, spine, tip, inlets, trace, body, scale, frame: framesOf(body), cellOf: cellsOf(body.bellows) };
+  return { svg, cells, tubes, spine, tip, inlets, trace, body, scale, frame: framesOf(body), cellOf: cellsOf(body.bellows), columns: columnsOf(body) };
 }
 
 function clampMark(pen) {
@@ -78,14 +81,18 @@ function framesOf(body) {
 
 // Points and unit normals at the places of `framesOf`: x, z, right x, right z of each.
 function placesAlong(points, frame) {
-  const count = points.length / 2, places = new Float64Array(4 * frame.length);
-  frame.forEach(([k, share], f) => {
-    const at = (i, c) => points[2 * Math.max(0, Math.min(count - 1, i)) + c];
-    const mix = (c, a, b) => (1 - share) * a(k, c) + share * b(k + 1, c);
-    const slope = (i, c) => at(i + 1, c) - at(i - 1, c);
-    const tx = mix(0, slope, slope), tz = mix(1, slope, slope), size = Math.hypot(tx, tz) || 1;
-    places.set([mix(0, at, at), mix(1, at, at), tz / size, -tx / size], 4 * f);
-  });
+  const last = points.length - 2, places = new Float64Array(4 * frame.length);
+  for (let f = 0; f < frame.length; f++) {
+    const [index, share] = frame[f], rest = 1 - share, k = 2 * index, next = k + 2;
+    const before = Math.max(0, k - 2), after = Math.min(last, k + 4);
+    const tx = rest * (points[next] - points[before]) + share * (points[after] - points[k]);
+    const tz = rest * (points[next + 1] - points[before + 1]) + share * (points[after + 1] - points[k + 1]);
+    const size = Math.sqrt(tx * tx + tz * tz) || 1;
+    places[4 * f] = rest * points[k] + share * points[next];
+    places[4 * f + 1] = rest * points[k + 1] + share * points[next + 1];
+    places[4 * f + 2] = tz / size;
+    places[4 * f + 3] = -tx / size;
+  }
   return places;
 }
 
@@ -109,17 +116,46 @@ function cellsOf(bellows) {
   return bellows.map((name) => ({ section: Number(name.slice(1)) - 1, sign: name[0] === "R" ? 1 : -1 }));
 }
 
+// Bellows of both columns by their section, for actuators whose neighbours are drawn as one.
+function columnsOf(body) {
+  if (body.sections < MERGED_SECTIONS) return [];
+  const columns = [1, -1].map((sign) => ({ sign, bellows: new Array(body.sections) }));
+  cellsOf(body.bellows).forEach(({ section, sign }, k) => { columns[sign > 0 ? 0 : 1].bellows[section] = k; });
+  return columns;
+}
+
 function drawInColours(view, places, pressures) {
   const { low, high } = view.scale, step = (high - low) / COLOURS || 1;
-  const texts = Array.from({ length: COLOURS }, () => []);
-  for (let k = 0; k < pressures.length; k++) {
-    const colour = Math.floor((pressures[k] - low) / step);
-    if (Number.isFinite(colour)) texts[Math.max(0, Math.min(COLOURS - 1, colour))].push(plainPath(places, view.cellOf[k], widthOf(view.body, view.cellOf[k])));
+  const texts = new Array(COLOURS).fill("");
+  const colourOf = (k) => Math.max(0, Math.min(COLOURS - 1, Math.floor((pressures[k] - low) / step)));
+  if (view.columns.length) for (const column of view.columns) addStretches(view, places, column, colourOf, texts);
+  else for (let k = 0; k < pressures.length; k++) {
+    if (Number.isFinite(pressures[k])) texts[colourOf(k)] += plainPath(places, view.cellOf[k], widthOf(view.body, view.cellOf[k]));
   }
   view.cells.forEach((cell, c) => {
-    cell.setAttribute("d", texts[c].join(""));
-    cell.setAttribute("fill", pressureColour(view.scale, low + (c + 0.5) * step));
+    if (cell.drawn !== texts[c]) cell.setAttribute("d", texts[c]);
+    cell.drawn = texts[c];
+    if (!cell.hasAttribute("fill")) cell.setAttribute("fill", pressureColour(view.scale, low + (c + 0.5) * step));
   });
+}
+
+// Neighbours of one colour and width, as one outline each.
+function addStretches(view, places, { sign, bellows }, colourOf, texts) {
+  const { body } = view, width = (s) => widthOf(body, { section: s });
+  for (let first = 0, last; first < bellows.length; first = last + 1) {
+    const colour = colourOf(bellows[first]);
+    last = first;
+    while (last + 1 < bellows.length && colourOf(bellows[last + 1]) === colour && width(last + 1) === width(first)) last++;
+    if (!Number.isNaN(colour)) texts[colour] += stretchPath(places, first, last, sign, width(first), body.sections);
+  }
+}
+
+function stretchPath(places, first, last, sign, width, sections) {
+  const near = (sign * AXIS_GAP * width) / 2, far = (sign * width) / 2, stride = Math.max(1, Math.floor((LONGEST_PIECE * sections) / USUAL_HEIGHT));
+  const at = [];
+  for (let s = first; s <= last; s += stride) at.push(3 * s);
+  at.push(3 * last + 2);
+  return `M${at.map((f) => corner(places, f, near)).join("L")}L${at.reverse().map((f) => corner(places, f, far)).join("L")}Z`;
 }
 
 function bellowPath(places, { section, sign }, width) {
@@ -137,16 +173,17 @@ function drawActuator(view, points, pressures, inletPressures) {
   });
   view.inlets.forEach((mark, k) => mark.setAttribute("fill", pressureColour(scale, inletPressures[k])));
   if (body.tubes.length <= MOST_TUBES) view.tubes.setAttribute("d", tubePaths(body, places));
-  view.spine.setAttribute("d", pathOf(points));
+  view.spine.setAttribute("d", pathOf(points, Math.ceil(points.length / 2 / MOST_SPINE)));
   view.tip.setAttribute("cx", 1000 * points[points.length - 2]);
   view.tip.setAttribute("cy", 1000 * points[points.length - 1]);
 }
 
-// A line through points of an axis, in millimetres.
-function pathOf(points) {
+// A line through every so many points of an axis, and its end, in millimetres.
+function pathOf(points, every = 1) {
   let text = "";
-  for (let k = 0; k < points.length; k += 2) text += (k ? "L" : "M") + place(1000 * points[k], 1000 * points[k + 1]);
-  return text;
+  const last = points.length - 2;
+  for (let k = 0; k < last; k += 2 * every) text += (k ? "L" : "M") + place(1000 * points[k], 1000 * points[k + 1]);
+  return `${text}L${place(1000 * points[last], 1000 * points[last + 1])}`;
 }
 
 // A tube along a column bulges outwards; one between the columns runs straight.

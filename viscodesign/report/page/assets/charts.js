@@ -13,7 +13,8 @@ function makePanel(host, time, panel, seekTime) {
   const caption = element("figcaption", {}, `${panel.title} [${panel.unit}] `, legendOf(panel));
   const [low, high] = limitsOf(...extremesOf(panel.curves));
   const svg = drawn("svg", { role: "img", height: PANEL.height, "aria-label": describe(panel) });
-  const view = { svg, time, panel, low, high, start: time[0], end: endOf(time), dots: [], cursor: null };
+  const [start, end] = spanOf(time);
+  const view = { svg, time, panel, low, high, start, end, dots: [], cursor: null, left: PANEL.left };
   figure.append(caption, svg);
   if (panel.note) figure.append(element("p", { class: "hint" }, panel.note));
   host.append(figure);
@@ -21,8 +22,9 @@ function makePanel(host, time, panel, seekTime) {
   return view;
 }
 
-function endOf(time) {
-  return time.length > 1 ? time[time.length - 1] : time[0] + 1;
+// Limits of the axis of times; a single one stands in its middle.
+function spanOf(time) {
+  return time.length > 1 ? [time[0], time[time.length - 1]] : [time[0] - 0.5, time[0] + 0.5];
 }
 
 function extremesOf(curves) {
@@ -59,7 +61,8 @@ function keyOf(curve, kind = "key") {
 function layoutPanel(view, width) {
   const { svg, panel } = view;
   view.width = width;
-  view.x = (t) => PANEL.left + ((t - view.start) / (view.end - view.start)) * (width - PANEL.left - PANEL.right);
+  view.left = roomFor(ticks(view.low, view.high, 4), PANEL.left);
+  view.x = (t) => view.left + ((t - view.start) / (view.end - view.start)) * (width - view.left - PANEL.right);
   view.y = (v) => PANEL.height - PANEL.bottom - ((v - view.low) / (view.high - view.low)) * (PANEL.height - PANEL.top - PANEL.bottom);
   svg.setAttribute("width", width);
   svg.setAttribute("viewBox", `0 0 ${width} ${PANEL.height}`);
@@ -72,16 +75,19 @@ function layoutPanel(view, width) {
   }));
   view.cursor = drawn("path", { class: "cursor" });
   view.dots = panel.curves.map((curve) => drawn("circle", { class: "dot", r: curve.thick ? 3.6 : 2.8, fill: curve.colour }));
-  svg.replaceChildren(axesOf(view), ...curves, view.cursor, ...view.dots);
+  // All dots stand above each other: their group moves with the time.
+  view.dotted = drawn("g", {}, ...view.dots);
+  svg.replaceChildren(axesOf(view), ...curves, view.cursor, view.dotted);
 }
 
 function axesOf(view) {
   const group = drawn("g", { "aria-hidden": "true" });
-  const across = ticks(view.start, view.end, view.width / 90), up = ticks(view.low, view.high, 4);
+  const up = ticks(view.low, view.high, 4), across = view.time.length > 1 ? ticks(view.start, view.end, view.width / 90)
+    : { found: [view.time[0]], decimals: timeDecimals(view.time) };
   for (const value of up.found) {
     const y = view.y(value);
-    group.append(drawn("path", { class: value === 0 ? "grid zero" : "grid", d: `M${PANEL.left} ${y}H${view.width - PANEL.right}` }),
-      drawn("text", { x: PANEL.left - 5, y: y + 3.5, "text-anchor": "end" }, tickText(value, up)));
+    group.append(drawn("path", { class: value === 0 ? "grid zero" : "grid", d: `M${view.left} ${y}H${view.width - PANEL.right}` }),
+      drawn("text", { x: view.left - 5, y: y + 3.5, "text-anchor": "end" }, tickText(value, up)));
   }
   const base = PANEL.height - PANEL.bottom;
   across.found.forEach((value, k) => {
@@ -98,9 +104,9 @@ function drawCursor(view, row) {
   if (!view.cursor) return;
   const x = view.x(view.time[row]);
   view.cursor.setAttribute("d", `M${place(x, PANEL.top)}V${PANEL.height - PANEL.bottom}`);
+  view.dotted.setAttribute("transform", `translate(${x} 0)`);
   view.panel.curves.forEach((curve, k) => {
     const known = Number.isFinite(curve.values[row]);
-    view.dots[k].setAttribute("cx", x);
     view.dots[k].setAttribute("cy", known ? view.y(curve.values[row]) : -99);
   });
 }

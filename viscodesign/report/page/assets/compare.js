@@ -3,7 +3,7 @@
 // Several motions: their paths, distances from the first, metrics.
 
 // Each shows on white and on black.
-const MOTION_COLOURS = ["currentColor", "#d55e00", "#2f86d6", "#1b9e77", "#cc5fa0", "#b8860b", "#5aa9e6"];
+const MOTION_COLOURS = ["currentColor", "#d55e00", "#2f86d6", "#1b9e77", "#cc5fa0", "#b8860b", "#8a63d2"];
 const PATHS_HEIGHT = 380;
 
 function motionStyle(k) {

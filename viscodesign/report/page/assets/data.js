@@ -60,8 +60,14 @@ function fixedNumber(value, decimals) {
   return Number.isFinite(value) ? value.toFixed(decimals).replace("-", "−") : "–";
 }
 
-// Decimals that tell the output times of a run apart.
+// The time of a row in words.
+function timeWords(time, row, decimals = timeDecimals(time)) {
+  return `t = ${fixedNumber(time[row], decimals)} s`;
+}
+
+// Decimals that tell the output times of a run apart; those of a single one to six digits.
 function timeDecimals(time) {
+  if (time.length === 1) return Math.min(12, (String(Number(Math.abs(time[0]).toPrecision(6))).split(".")[1] || "").length);
   const step = time.length > 1 ? (time[time.length - 1] - time[0]) / (time.length - 1) : 1;
   return Math.min(12, Math.max(0, Math.ceil(-Math.log10(step || 1) - 1e-9) + (step < 1 ? 0 : 1)));
 }

@@ -30,7 +30,7 @@ function showMotion(run) {
     for (const chart of charts) drawCursor(chart, row);
     drawTip(tip, row);
     if (instant.details.open) instant.fill(row);
-    if (sketch) drawSketch(sketch, row);
+    if (sketch && (sketch.seen || !player.playing)) drawSketch(sketch, row);
   };
   const layout = (again) => {
     layoutCharts(byId("charts"), charts);
@@ -42,8 +42,20 @@ function showMotion(run) {
   new ResizeObserver(() => layout(false)).observe(document.body);
   layout(true);
   seek(player, run.summary.status === "complete" ? 0 : player.last);
+  printWhole();
   window.player = player;
   return player;
+}
+
+// On paper nobody can open what is folded.
+function printWhole() {
+  const folded = () => [...document.querySelectorAll("details.printed")];
+  let opened = [];
+  window.addEventListener("beforeprint", () => {
+    opened = folded().filter((own) => !own.open);
+    for (const own of opened) own.open = true;
+  });
+  window.addEventListener("afterprint", () => { for (const own of opened) own.open = false; });
 }
 
 function shapeAt(run, row) {

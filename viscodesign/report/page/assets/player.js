@@ -30,10 +30,10 @@ function speedsOf(time) {
 
 function seek(player, row) {
   player.row = Math.max(0, Math.min(player.last, row));
-  const slider = byId("time"), words = `t = ${fixedNumber(player.time[player.row], player.decimals)} s`;
+  const slider = byId("time"), words = timeWords(player.time, player.row, player.decimals);
   slider.value = player.row;
   slider.setAttribute("aria-valuetext", words);
-  byId("clock").textContent = words;
+  for (const own of document.querySelectorAll(".clock")) own.textContent = words;
   player.show(player.row);
 }
 
@@ -48,7 +48,9 @@ function nearestRow(time, wanted) {
 }
 
 function setPlaying(player, playing) {
+  const stops = player.playing && !playing;
   player.playing = playing && player.last > 0;
+  if (stops) player.show(player.row);
   byId("play").textContent = player.playing ? "Pause" : "Play";
   byId("play").setAttribute("aria-pressed", String(player.playing));
   if (!player.playing) return;

@@ -25,7 +25,7 @@ function makeSketch(run, body, room, scale, tip, changed) {
     return null;
   }
   const inlets = run.inlets.map((_, k) => column(run.inlet_pressure, k));
-  const sketch = { run, numbers, inlets, choice: unchanged(numbers), tip, motion: null, room: { ...room } };
+  const sketch = { run, numbers, inlets, choice: unchanged(numbers), tip, motion: null, seen: false, room: { ...room } };
   const even = Float64Array.from({ length: POINTS_A_SECTION * run.sections + 1 }, (_, k) => k);
   const own = { ...body, arc: even };
   const label = "Sketch of the actuator: linear network and arcs, not the simulation";
@@ -38,12 +38,25 @@ function makeSketch(run, body, room, scale, tip, changed) {
   byId("sliders").append(...sketchSliders(numbers).map((row) => sketchSlider(sketch, row, update)));
   if (numbers.layout !== "custom") byId("sliders").append(layoutChoice(sketch, update));
   byId("sliders").append(resetButton(sketch, update), words);
+  sketch.trust = element("p", { class: "trust" });
+  byId("sketch-words").after(sketch.trust);
   byId("sketch-words").textContent = "A quick estimate for trying designs: the linear network and sections of constant curvature" +
     (numbers.polytropic_exponent === null ? "" : ", with the gas's own storage at the baseline") +
     ". No inertia, weight, turbulence, collapse or choking. Confirm what you find with viscodesign simulate.";
   byId("sketch-key").hidden = false;
   solveSketch(sketch, words);
+  watchSketch(sketch);
   return sketch;
+}
+
+// What differences between designs the sketch can tell, by its error at the spec's own values.
+const POOR_SHARE = 0.05;
+
+function trustWords(largest, share) {
+  const own = `At the spec's own values the sketch is off by ${shortNumber(largest, 3)} mm, ${shortNumber(100 * share, 2)} % of the length`;
+  return share > POOR_SHARE
+    ? `${own}: too far to rank designs. It shows which way a change works, no more; rank designs with viscodesign sweep.`
+    : `${own}: it does not tell designs apart that differ by less.`;
 }
 
 function sketchSlider(sketch, row, update) {
@@ -94,9 +107,10 @@ function solveSketch(sketch, words) {
   sketch.tip.sketch = { x, z };
   let largest = 0;
   for (let k = 0; k < x.length; k++) largest = Math.max(largest, Math.hypot(x[k] - sketch.tip.x[k], z[k] - sketch.tip.z[k]));
-  const same = JSON.stringify(choice) === JSON.stringify(unchanged(numbers));
+  const same = JSON.stringify(choice) === JSON.stringify(unchanged(numbers)), share = largest / (1e3 * run.length);
   words.textContent = `Largest distance of the sketched tip from the computed one, at the same phase: ${shortNumber(largest, 3)} mm, ` +
-    `${shortNumber(largest / (10 * run.length), 2)} % of the length${same ? " (the sketch's own error, at the spec's values)" : ""}.`;
+    `${shortNumber(100 * share, 2)} % of the length${same ? " (the sketch's own error, at the spec's values)" : ""}.`;
+  if (same) sketch.trust.textContent = trustWords(largest, share);
   window.sketch = sketch;
 }
 
@@ -110,6 +124,12 @@ function growRoom(sketch) {
   }
   const { left, right, top, bottom } = sketch.room;
   view.svg.setAttribute("viewBox", [left, top, right - left, bottom - top].map((v) => 1000 * v).join(" "));
+}
+
+// While the motion plays, the sketch below it is drawn where it can be seen: it would cost as much again.
+function watchSketch(sketch) {
+  const look = (entries) => { sketch.seen = entries[entries.length - 1].isIntersecting; };
+  new IntersectionObserver(look, { rootMargin: "200px" }).observe(byId("sketch-figure"));
 }
 
 function drawSketch(sketch, row) {

@@ -81,18 +81,56 @@ function pressureColour(scale, pressure) {
   return away < 0 ? mixed(MIDDLE, LOW, Math.min(1, -away / scale.below)) : mixed(MIDDLE, HIGH, Math.min(1, away / scale.above));
 }
 
+// Least range of the colours, as a share of the largest pressure.
+const LEAST_RANGE = 0.02;
+
 // Grey is the ambient, unless all pressures lie far from it: then their middle.
 function pressureScale(low, high) {
   const largest = Math.max(Math.abs(low), Math.abs(high));
   const near = low * high > 0 && high - low > 1e-6 * largest && high - low < 0.4 * largest;
-  if (near) return { low, high, middle: (low + high) / 2, below: (high - low) / 2, above: (high - low) / 2 };
+  if (near) {
+    // Full colours for hardly any difference would tell of a motion that is none.
+    const middle = (low + high) / 2, half = Math.max((high - low) / 2, LEAST_RANGE * largest / 2);
+    return { low: middle - half, high: middle + half, middle, below: half, above: half };
+  }
   // Each side has the full colour, unless it is small beside the other.
   const sides = { below: Math.max(-low, 0.4 * largest) || 1, above: Math.max(high, 0.4 * largest) || 1 };
   return { low: Math.min(low, 0), high: Math.max(high, 0), middle: 0, ...sides };
 }
 
-// From the clamp to the tip: teal, blue, purple, magenta; each shows on white and on black.
+// From the clamp to the tip: light teal, blue, purple, dark magenta. Their luminances lie where the contrast
+// with white and with the dark ground is above 3.
+const LUMINANCES = [0.275, 0.15];
+
 function sectionColour(index, count) {
-  const hue = 170 + 150 * (count > 1 ? index / (count - 1) : 0.3);
-  return `hsl(${Math.round(hue)} 62% 48%)`;
+  const share = count > 1 ? index / (count - 1) : 0.3, hue = 170 + 150 * share;
+  return colourOf(hue, 0.62, LUMINANCES[0] + share * (LUMINANCES[1] - LUMINANCES[0]));
+}
+
+// The colour of a hue [deg] and a saturation that has a luminance.
+function colourOf(hue, saturation, wanted) {
+  let low = 0, high = 1;
+  for (let pass = 0; pass < 20; pass++) {
+    const middle = (low + high) / 2;
+    if (luminance(channelsOf(hue, saturation, middle)) < wanted) low = middle; else high = middle;
+  }
+  return `rgb(${channelsOf(hue, saturation, low).map((v) => Math.round(255 * v)).join(",")})`;
+}
+
+// Red, green and blue of a hue, a saturation and a lightness, as CSS defines them.
+function channelsOf(hue, saturation, lightness) {
+  const reach = saturation * Math.min(lightness, 1 - lightness);
+  return [0, 8, 4].map((n) => { const k = (n + hue / 30) % 12; return lightness - reach * Math.max(-1, Math.min(k - 3, 9 - k, 1)); });
+}
+
+// Relative luminance, as the contrast of WCAG 2 has it.
+function luminance(channels) {
+  const linear = channels.map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+}
+
+// Room for numbers at the left of an axis, and more where it has a name [pixel].
+function roomFor(marks, least, name = 0) {
+  const longest = Math.max(0, ...marks.found.map((value) => tickText(value, marks).length));
+  return Math.max(least, 7 + 6.4 * longest + name);
 }

@@ -39,11 +39,13 @@ function bandPath(view) {
 
 // Equal scales for both coordinates [mm], as large as the room lets them be.
 function scaleTip(view, width, xValues, zValues) {
-  const { svg } = view, height = heightOf(view), wide = width - TIP.left - TIP.right, high = height - TIP.top - TIP.bottom;
+  const { svg } = view, height = heightOf(view), high = height - TIP.top - TIP.bottom;
   const xs = limitsOf(...extremes(xValues)), zs = limitsOf(...extremes(zValues));
+  view.left = roomFor(ticks(...zs, 5), TIP.left, 14);
+  const wide = width - view.left - TIP.right;
   const scale = Math.min(wide / (xs[1] - xs[0]), high / (zs[1] - zs[0]));
   const [mx, mz] = [(xs[0] + xs[1]) / 2, (zs[0] + zs[1]) / 2];
-  view.px = (v) => TIP.left + wide / 2 + scale * (v - mx);
+  view.px = (v) => view.left + wide / 2 + scale * (v - mx);
   view.py = (v) => TIP.top + high / 2 + scale * (v - mz);
   view.width = width;
   const limits = { x: [mx - wide / 2 / scale, mx + wide / 2 / scale], z: [mz - high / 2 / scale, mz + high / 2 / scale] };
@@ -79,10 +81,10 @@ function tipAxes(view, limits) {
   }
   for (const value of down.found) {
     const y = view.py(value);
-    group.append(drawn("path", { class: "grid", d: `M${TIP.left} ${y}H${view.width - TIP.right}` }),
-      drawn("text", { x: TIP.left - 5, y: y + 3.5, "text-anchor": "end" }, tickText(value, down)));
+    group.append(drawn("path", { class: "grid", d: `M${view.left} ${y}H${view.width - TIP.right}` }),
+      drawn("text", { x: view.left - 5, y: y + 3.5, "text-anchor": "end" }, tickText(value, down)));
   }
-  group.append(drawn("text", { x: (TIP.left + view.width - TIP.right) / 2, y: heightOf(view) - 4, "text-anchor": "middle" }, "x, towards R"),
+  group.append(drawn("text", { x: (view.left + view.width - TIP.right) / 2, y: heightOf(view) - 4, "text-anchor": "middle" }, "x, towards R"),
     drawn("text", { x: 10, y: (TIP.top + base) / 2, "text-anchor": "middle", transform: `rotate(-90 10 ${(TIP.top + base) / 2})` }, "z, downwards"));
   return group;
 }

@@ -1,0 +1,116 @@
+"use strict";
+
+// What the tip may be off, and what every effect does to it, as bars against the accuracy that was asked for.
+
+function isKnown(value) {
+  return value !== null && value !== undefined;
+}
+
+// As the command line says it: where the steps are not told apart, the error is that of all parts together.
+function errorParts({ time_m, space_m, omitted_m, estimated_tip_error_m: stated }) {
+  if (!isKnown(time_m) && isKnown(stated)) return [["all parts together", stated]];
+  return [["time steps", time_m], ["mesh along the rod", space_m], ["neglected effects", omitted_m], ["sum", stated]];
+}
+
+// Error of the tip and its parts.
+function showAccuracy(run) {
+  const { accuracy, status, effects, validity } = run.summary, host = byId("accuracy");
+  const stated = accuracy.estimated_tip_error_m, asked = accuracy.requested_m;
+  // As the command line says it: `error_qualifier` of a trajectory.
+  const isPinned = effects.some((row) => row.mode === "off" && !row.taken && row.present !== false);
+  const pinned = isPinned && validity.state === "inside" ? ", of the model as pinned" : "";
+  const verdict = stated === null || stated === undefined
+    ? "The error was not estimated."
+    : `Estimated error ${millimetres(stated)}, ${shortNumber((100 * stated) / run.length, 2)} % of the length${pinned}; requested ${millimetres(asked)}: ${stated <= asked ? "reached" : "NOT reached"}.`;
+  const part = status === "complete" || stated === null || stated === undefined ? "" : ` It holds for the part that was computed of a run that ${status === "failed" ? "failed" : "was interrupted"}.`;
+  host.append(element("p", { class: stated > asked ? "bad" : "" }, verdict + part));
+  const known = errorParts(accuracy).filter(([, value]) => isKnown(value));
+  if (known.length) host.append(barTable(["part", "size beside the accuracy", "error"], known.map(([name, value]) => ({ cells: [name], value, after: [numberCell(millimetres(value))] })), asked, "error parts"));
+  if (accuracy.method) host.append(element("p", { class: "hint" }, accuracy.method));
+  showBand(run, host);
+}
+
+// What the numbers cost beside what is known of the actuator: never one without the other.
+function showBand(run, host) {
+  const { accuracy, uncertainty, validity } = run.summary, stated = accuracy.estimated_tip_error_m;
+  const numerical = stated === null || stated === undefined ? "not estimated" : millimetres(stated);
+  const known = uncertainty
+    ? `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)`
+    : "unknown (uncertainty: typical gives a first band)";
+  host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), `: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`));
+  if (!uncertainty) return;
+  const rows = uncertainty.keys.filter((own) => own.share_of_variance >= 0.0005).map((own) => [own.key,
+    `${shortNumber(own.value, 4)} ${own.unit === "1" ? "" : own.unit}`, own.value ? `${shortNumber((100 * own.standard_deviation) / Math.abs(own.value), 3)} %` : `${shortNumber(own.standard_deviation, 3)} ${own.unit}`,
+    own.assumed ? "assumed" : "stated", `${shortNumber(100 * own.share_of_variance, 3)} %`]);
+  if (rows.length) host.append(table(["number", "value", "standard deviation", "known", "share of the variance"], rows, { label: "uncertain numbers" }));
+  host.append(element("p", { class: "hint" }, `Band of the tip by ${uncertainty.method}, at its widest, in the direction that is most uncertain.`));
+}
+
+// Rows with a bar in millimetres on a logarithmic axis; the accuracy is a line. On a narrow screen each row
+// becomes a block, so every part of the table says what it is.
+function barTable(heads, rows, asked, label) {
+  const sizes = rows.flatMap((row) => [row.value, row.measured]).filter((value) => value > 0);
+  const high = 10 ** Math.ceil(Math.log10(Math.max(2 * asked, ...sizes)) + 1e-9), low = Math.min(asked / 1e3, high / 1e5);
+  const at = (value) => 180 * Math.max(0, Math.min(1, Math.log(value / low) / Math.log(high / low)));
+  const made = table(heads, rows.map((row) => [...row.cells, element("td", { class: "bars" }, barOf(row, asked, at)), ...row.after]), { label });
+  made.classList.add("stacked");
+  for (const [tags, role] of [["table", "table"], ["thead, tbody", "rowgroup"], ["tr", "row"], ["thead th", "columnheader"], ["tbody th", "rowheader"], ["td", "cell"]]) {
+    for (const part of made.querySelectorAll(tags)) part.setAttribute("role", role);
+  }
+  for (const line of made.querySelectorAll("tbody tr")) [...line.children].forEach((cell, k) => { cell.dataset.head = heads[k]; });
+  made.append(element("p", { class: "hint" }, `Bars are logarithmic, from ${millimetres(low)} to ${millimetres(high)}; the line is the requested accuracy, ${millimetres(asked)}.`));
+  return made;
+}
+
+function numberCell(text) {
+  return element("td", { class: "number" }, text);
+}
+
+function barOf(row, asked, at) {
+  const unbounded = !isKnown(row.value), limit = at(asked);
+  const width = unbounded ? 180 : row.value > 0 ? Math.max(1, at(row.value)) : 0;
+  const share = (value) => `${shortNumber((100 * value) / asked, 3)} % of the accuracy`;
+  const words = `${unbounded ? "no bound" : share(row.value)}${isKnown(row.measured) ? `; measured: ${share(row.measured)}` : ""}`;
+  const svg = drawn("svg", { viewBox: "0 0 180 14", width: 180, height: 14, role: "img", class: "bar", "aria-label": words },
+    drawn("title", {}, words),
+    drawn("rect", { x: 0, y: 3, width, height: 8, class: row.kind || "included" }),
+    drawn("path", { class: "limit", d: `M${limit} 0V14` }));
+  if (row.measured > 0) svg.append(drawn("circle", { class: "measured", cx: at(row.measured), cy: 7, r: 3.5 }));
+  return svg;
+}
+
+function showEffects(run) {
+  const asked = run.summary.accuracy.requested_m, proof = run.summary.proof || [];
+  const measured = new Map(proof.map((row) => [row.name, row.measured_m]));
+  const present = run.summary.effects.filter((row) => row.present !== false);
+  const size = (row) => (row.contribution_m === null ? Infinity : row.contribution_m);
+  present.sort((a, b) => size(b) - size(a));
+  const rows = present.map((row) => ({
+    cells: [row.name.replace(/_/g, " "), (row.taken ? "included" : "neglected") + (row.mode === "auto" ? "" : `, set ${row.mode}`)],
+    value: row.contribution_m, kind: row.taken ? "included" : "neglected", measured: measured.get(row.name),
+    after: [row.contribution_m === null ? "no bound" : numberCell(millimetres(row.contribution_m)),
+      ...(proof.length ? [numberCell(measuredWords(measured, row.name))] : []), row.reason],
+  }));
+  byId("effects").append(element("p", {}, "How far each effect alone moves the tip, estimated before solving",
+    proof.length ? "; the ring and the number beside are what another solution measured, with the effect switched." : "."),
+    barTable(["effect", "decision", "size beside the accuracy", "estimated", ...(proof.length ? ["measured"] : []), "why"], rows, asked, "effects"));
+  tellNeglected(proof, asked);
+  const absent = run.summary.effects.filter((row) => row.present === false).map((row) => row.name.replace(/_/g, " "));
+  if (absent.length) byId("effects").append(element("p", { class: "hint" }, `Not applicable: ${absent.join(", ")}.`));
+}
+
+// A solution tells displacements apart down to a nanometre.
+const LEAST_MEASURED = 1e-9;
+
+function measuredWords(measured, name) {
+  if (!measured.has(name)) return "not measured";
+  const size = measured.get(name);
+  if (!isKnown(size)) return "no solution";
+  return size < LEAST_MEASURED ? "< 1e−6 mm" : millimetres(size);
+}
+
+function tellNeglected(proof, asked) {
+  const own = proof.filter((row) => !row.taken && isKnown(row.measured_m)), sum = own.reduce((all, row) => all + row.measured_m, 0);
+  if (own.length) byId("effects").append(element("p", {}, `The neglected effects add up to ${millimetres(sum)}, ` +
+    `${shortNumber((100 * sum) / asked, 3)} % of the accuracy (${own.length} measured, one at a time).`));
+}
