@@ -40,7 +40,10 @@ def command(
         int, typer.Option("--fps", metavar="N", help="Of the film: frames a second.")
     ] = 25,
     width: Annotated[
-        int, typer.Option("--width", metavar="PX", help="Of the film; its height is 9/16 of it.")
+        int,
+        typer.Option(
+            "--width", metavar="PX", help="Of the film, made even; its height is 9/16 of it."
+        ),
     ] = 960,
     transparent: Annotated[
         bool, typer.Option("--transparent", help="Of the film: no white ground (.webp, .gif).")

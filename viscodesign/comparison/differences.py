@@ -47,6 +47,8 @@ def tip_difference_of(first: ComparedMotion, other: ComparedMotion) -> TipDiffer
         phase=phase,
         shift=time_shift(first, other) if phase is None else None,
         band=band_along(first, other, time, apart),
+        outside=tuple(f"{m.title} ({', '.join(m.outside)})" for m in (first, other) if m.outside),
+        has_clock="table" in (first.origin, other.origin),
     )
 
 

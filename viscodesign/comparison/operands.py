@@ -14,6 +14,7 @@ from viscodesign.errors import UsageError, did_you_mean
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.loading import load
 from viscodesign.report.read_run import read_run
+from viscodesign.results.findings import violation_codes
 from viscodesign.results.run_comparison import ComparedMotion, Origin
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.reading.markers_file import MarkersFile
@@ -106,6 +107,7 @@ def motion_of(run: Trajectory, origin: Origin, source: str) -> ComparedMotion:
         error_words=run.accuracy.method if stated is None else run.error_qualifier,
         period=run.period,
         band=run.uncertainty,
+        outside=violation_codes(run.violations),
     )
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from viscodesign.results.findings import outside_words
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.reading.write import plain_part
 from viscodesign.scene.scene import Scene
@@ -64,8 +65,7 @@ def _outcome(trajectory: Trajectory) -> Iterable[tuple[str, str]]:
     stated = accuracy.method if error is None else f"{1e3 * error:.3g} mm"
     yield "tip error", f"{stated} (requested {1e3 * accuracy.requested_m:.3g} mm)"
     if trajectory.violations:
-        codes = dict.fromkeys(notice.code for notice in trajectory.violations)
-        yield "validity", f"outside of the model: {', '.join(codes)}"
+        yield "validity", outside_words(trajectory.violations)
     for decision in ("included", "neglected"):
         names = [v.name for v in trajectory.effects if v.decision == decision]
         yield decision, ", ".join(names) or "none"

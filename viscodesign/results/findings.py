@@ -116,6 +116,16 @@ class Notice:
     """When it was first so [s]; None if always."""
 
 
+def outside_words(violations: Iterable[Notice]) -> str:
+    """Where a run leaves what its model describes, by the codes of its ``violations``."""
+    return f"outside of the model: {', '.join(violation_codes(violations))}"
+
+
+def violation_codes(violations: Iterable[Notice]) -> tuple[str, ...]:
+    """Their codes, each once."""
+    return tuple(dict.fromkeys(own.code for own in violations))
+
+
 @dataclass(frozen=True)
 class Classification:
     """Timescales, ratios and quadrant of one scene, with what they mean."""

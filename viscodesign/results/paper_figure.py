@@ -7,7 +7,12 @@ from dataclasses import field
 from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.results.findings import Classification, classification_document, json_ready
+from viscodesign.results.findings import (
+    Classification,
+    classification_document,
+    json_ready,
+    violation_codes,
+)
 from viscodesign.results.trajectory import Trajectory
 
 CHECK_COLUMNS = ("figure", "panel", "section", "verdict", "words", "found")
@@ -71,7 +76,7 @@ class PaperFigure:
         """Runs that leave what their model describes, with the reasons."""
         runs = {run.name: run for panel in self.panels for run in panel.runs}
         return [
-            f"{name} ({', '.join(dict.fromkeys(reason.code for reason in run.violations))})"
+            f"{name} ({', '.join(violation_codes(run.violations))})"
             for name, run in runs.items()
             if run.violations
         ]

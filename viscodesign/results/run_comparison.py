@@ -64,6 +64,8 @@ class ComparedMotion:
     """What was left out of its file."""
     band: CoefficientBand | None = None
     """What the coefficients of its spec leave open; None where the spec does not say."""
+    outside: tuple[str, ...] = ()
+    """Why a run lies outside of what its model describes, as codes such as choking."""
 
     @property
     def title(self) -> str:
@@ -153,6 +155,10 @@ class TipDifference:
     band: np.ndarray | None = None
     """(n,) Half of the 95 % interval of the distance by the coefficients [m]; None where no spec
     says how well they are known, or they move both motions."""
+    outside: tuple[str, ...] = ()
+    """Which of the two lie outside of their model, with the codes of why."""
+    has_clock: bool = True
+    """Whether one was recorded, with a clock of its own; two simulations begin together."""
 
     @property
     def max_m(self) -> float:
@@ -210,7 +216,14 @@ class TipDifference:
         return (
             f"{self.label} differs from {self.first} by {_mm(self.max_m)} at most (at "
             f"{self.max_time_s:.4g} s) and {_mm(self.rms_m)} rms, {span}{part}; {self._errors()}"
+            f"{self._outside()}"
         )
+
+    def _outside(self) -> str:
+        if not self.outside:
+            return ""
+        told = " and ".join(self.outside)
+        return f"; outside of the model, which no stated error counts: {told}"
 
     def _errors(self) -> str:
         own, first = self.own_error_m, self.first_error_m
@@ -239,9 +252,10 @@ class TipDifference:
         if found.rms_m > EXPLAINED * self.rms_m or abs(found.shift_s) < least:
             return ""
         late = "later" if found.shift_s >= 0 else "earlier"
+        asked = "; are their clocks the same?" if self.has_clock else ""
         return (
             f"{self.label} fits best {abs(found.shift_s):.3g} s {late}: without that "
-            f"{_mm(found.rms_m)} rms; are their clocks the same?"
+            f"{_mm(found.rms_m)} rms{asked}"
         )
 
     @property
@@ -363,6 +377,7 @@ class Comparison:
                     "error": m.error_text,
                     "coefficients_95_m": m.band and m.band.half_width_m,
                     "coefficients": m.band_text,
+                    "outside": list(m.outside),
                     "metrics": dict(m.metrics),
                 }
                 for m in self.motions

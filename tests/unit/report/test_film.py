@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import shutil
 import subprocess
 from itertools import pairwise
@@ -16,8 +17,10 @@ from tests.trajectories import made_run, with_two_inlets
 from viscodesign.cli.main import main
 from viscodesign.errors import UsageError
 from viscodesign.report.film import encode
+from viscodesign.report.film.film_frames import film_frames
 from viscodesign.report.film.film_plan import FilmOptions, film_rows, usual_speed
 from viscodesign.report.run_folder import write_run
+from viscodesign.results.findings import Notice
 
 SMALL = {"width": 240, "frames_per_second": 2, "speed": 1.0}
 
@@ -36,7 +39,7 @@ def test_a_film_shows_the_motion_on_white(tmp_path: Path, kind: str) -> None:
     run = made_run(time=np.linspace(0, 4, 201))
     film = frames(run.film(tmp_path / f"leg.{kind}", **SMALL))
     assert len(film) == 9  # 4 s, two a second, both ends
-    assert {frame.shape for frame in film} == {(135, 240, 4)}
+    assert {frame.shape for frame in film} == {(136, 240, 4)}  # both even, as MP4 needs it
     assert film[0][1, 1].min() >= 254  # WebP rounds
     moved = [np.mean(np.abs(a[:, :110].astype(int) - b[:, :110])) for a, b in pairwise(film)]
     assert max(moved) > 1
@@ -53,12 +56,38 @@ def test_a_dark_film_is_light_on_dark(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["gif", "webp"])
-def test_a_transparent_film_has_no_ground(tmp_path: Path, kind: str) -> None:
-    run = made_run(time=np.linspace(0, 1, 51))
-    film = frames(run.film(tmp_path / f"leg.{kind}", transparent=True, pressures=False, **SMALL))
+@pytest.mark.parametrize("dark", [False, True])
+def test_a_transparent_film_has_no_ground(tmp_path: Path, kind: str, dark: bool) -> None:
+    run = made_run(time=np.linspace(0, 1, 26))
+    film = frames(run.film(tmp_path / f"leg.{kind}", transparent=True, dark=dark, **SMALL))
     for frame in film:
         assert frame[1, 1, 3] == 0
-        assert 0.02 < (frame[..., 3] > 128).mean() < 0.6
+        within = frame[28:114, 132:228]  # the plot of pressures
+        assert (within[..., 3] == 0).mean() > 0.5
+        assert 0.02 < (frame[..., 3] > 128).mean() < 0.4
+
+
+def test_a_gif_keeps_the_colours_of_the_data(tmp_path: Path) -> None:
+    """Against the pixels as they were drawn, of a later frame than the one a palette is made of."""
+    run, options = made_run(time=np.linspace(0, 4, 101)), FilmOptions(**{**SMALL, "width": 480})
+    rows = film_rows(run.time, options)
+    drawn = [frame[..., :3].astype(int) for frame in film_frames(run, [], rows, options)]
+    film = frames(run.film(tmp_path / "leg.gif", **{**SMALL, "width": 480}))
+    for own, true in list(zip(film, drawn, strict=True))[3:7]:
+        flat = np.ones(true.shape[:2], dtype=bool)  # away from edges
+        for axis, step in itertools.product((0, 1), (-1, 1)):
+            flat &= (np.roll(true, step, axis=axis) == true).all(axis=2)
+        coloured = flat & (np.ptp(true, axis=2) > 30)
+        assert coloured.sum() > 300
+        assert np.abs(own[..., :3][coloured] - true[coloured]).max() <= 8
+
+
+def test_a_film_of_a_run_outside_of_its_model_says_so(tmp_path: Path) -> None:
+    part = np.linspace(0, 1, 11)
+    outside = made_run(time=part, violations=(Notice("choking", "it chokes", "inlet-R1", 0.5),))
+    film = frames(outside.film(tmp_path / "o.webp", **SMALL))
+    top = film[0][8:22, :160, :3].astype(int)
+    assert int((top[..., 0] - top[..., 2] > 100).sum()) > 100
 
 
 @pytest.mark.skipif(shutil.which("ffprobe") is None, reason="needs ffmpeg: apt-get install ffmpeg")
@@ -132,10 +161,10 @@ def test_every_run_can_be_filmed(tmp_path: Path, case: dict[str, object]) -> Non
         ("leg.avi", {}, "is .gif, .webp or .mp4; got '.avi'"),
         ("leg", {}, "got no suffix"),
         ("leg.mp4", {"transparent": True}, "MP4 has no transparent ground"),
-        ("leg.gif", {"speed": 0.0}, "speed must be a number above 0; got 0.0"),
-        ("leg.gif", {"speed": float("nan")}, "speed must be a number above 0"),
-        ("leg.gif", {"frames_per_second": 51}, "must be 1 to 50; got 51"),
-        ("leg.gif", {"width": 10}, "width must be 160 to 3840 pixels; got 10"),
+        ("leg.gif", {"speed": 0.0}, r"speed \(--speed\) must be a number above 0; got 0.0"),
+        ("leg.gif", {"speed": float("nan")}, r"speed \(--speed\) must be a number above 0"),
+        ("leg.gif", {"frames_per_second": 51}, r"\(--fps\) must be 1 to 50; got 51"),
+        ("leg.gif", {"width": 10}, r"width \(--width\) must be 160 to 3840 pixels; got 10"),
         ("leg.gif", {"speed": 1e-3}, "at most 3,000 are made. Use a speed of"),
     ],
 )

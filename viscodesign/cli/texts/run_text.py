@@ -9,7 +9,7 @@ from pathlib import Path
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
 from viscodesign.cli.texts.layout import number, table
 from viscodesign.results.coefficient_band import CoefficientBand
-from viscodesign.results.findings import RetryAttempt
+from viscodesign.results.findings import RetryAttempt, outside_words
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -149,12 +149,9 @@ def _contributors(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
 
 
 def _outside(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
-    codes = dict.fromkeys(reason.code for reason in trajectory.violations)
-    if codes:
-        yield (
-            "validity",
-            f"outside of the model: {', '.join(codes)}; the tip error does not count it",
-        )
+    if trajectory.violations:
+        told = outside_words(trajectory.violations)
+        yield "validity", f"{told}; the tip error does not count it"
 
 
 def _error_parts(trajectory: Trajectory) -> str:

@@ -44,15 +44,14 @@ class TipMotion(Protocol):
 def draw_comparison(found: Comparison, path: Target) -> None:
     """Paths, and distances over time (and over phase) to their right or below; png, pdf or svg."""
     frame = PanelPlaces.of(found)
-    broken = [m for m in found.motions if m.status != "complete"]
-    head = title_room() + (0.18 if broken else 0.0)
+    warned = _warnings(found)
+    head = title_room() + 0.18 * len(warned)
     height = frame.top + head
     with picture(path, frame.width, height) as made:
         draw_title(made, shown(_title(found), 110), LEFT)
-        if broken:
-            words = "; ".join(f"{m.title}: {m.failure or 'ended early'}" for m in broken)
+        for k, words in enumerate(reversed(warned)):
             made.text(
-                LEFT / frame.width, (frame.top + 0.06) / height,
+                LEFT / frame.width, (frame.top + 0.06 + 0.18 * k) / height,
                 shown(words, int(13 * (frame.width - LEFT))),
                 size=8, color=look().warning, weight="bold",
             )  # fmt: skip
@@ -66,6 +65,15 @@ def draw_comparison(found: Comparison, path: Target) -> None:
         _draw_over_time(axes_at(made, *frame.distances[0]), found.differences)
         for place in frame.distances[1:]:
             _draw_over_phase(axes_at(made, *place), found.differences)
+
+
+def _warnings(found: Comparison) -> list[str]:
+    """Lines on what ended early, and on what its model does not describe."""
+    broken = [m for m in found.motions if m.status != "complete"]
+    outside = [f"{m.title} ({', '.join(m.outside)})" for m in found.motions if m.outside]
+    ended = "; ".join(f"{m.title}: {m.failure or 'ended early'}" for m in broken)
+    beyond = f"outside of the model: {'; '.join(outside)}" if outside else ""
+    return [line for line in (ended, beyond) if line]
 
 
 @dataclass(frozen=True)

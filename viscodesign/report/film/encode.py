@@ -16,15 +16,14 @@ import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.report.film.film_plan import LAST_FRAME_HOLD, FilmOptions
+from viscodesign.report.film.palette import MOST_COLOURS, film_palette
+from viscodesign.report.layout.look import LOOKS
 from viscodesign.storage.atomic_files import replaced
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
 WEBP_QUALITY, WEBP_EFFORT = 80, 2
-COLOURS = 128
-"""Number of colours of a GIF."""
-NEARLY_WHITE = 243
 FFMPEG = "ffmpeg"
 
 
@@ -62,52 +61,38 @@ def _pictures(frames: Iterable[np.ndarray], options: FilmOptions) -> Iterator[Im
 
 
 def _gif_pictures(frames: Iterable[np.ndarray], options: FilmOptions) -> Iterator[Image]:
-    """Pictures with one palette for all, or colours would flicker; transparent ones with their own.
+    """Pictures with one palette for all, or colours would flicker.
 
-    A pixel of a GIF is transparent or not: edges are drawn on white first.
+    A pixel of a GIF is transparent or not: edges are drawn on the ground of the style first.
     """
     from PIL import Image
 
     palette: Image.Image | None = None
     for picture in _pictures(frames, options):
-        if options.transparent:
-            yield _without_ground(picture)
-            continue
+        flat = _on_ground(picture, options) if options.transparent else picture
         if palette is None:
-            palette = _palette(picture)
-        yield picture.quantize(palette=palette, dither=Image.Dither.NONE)
+            palette = film_palette(flat, LOOKS[options.style])
+        made = flat.quantize(palette=palette, dither=Image.Dither.NONE)
+        yield _without_ground(made, picture) if options.transparent else made
 
 
-def _palette(first: Image) -> Image:
-    """Colours of a frame, and of all pressures."""
+def _on_ground(picture: Image, options: FilmOptions) -> Image:
     from PIL import Image
 
-    from viscodesign.report.layout.look import look
-
-    bar = np.repeat(look().diverging(np.linspace(0, 1, 64), bytes=True)[None, :, :3], 64, axis=0)
-    both = Image.new("RGB", (first.width, first.height + 64), "white")
-    both.paste(first, (0, 0))
-    wide = Image.fromarray(np.ascontiguousarray(bar)).resize((first.width, 64))
-    both.paste(wide, (0, first.height))
-    made = both.quantize(COLOURS, method=Image.Quantize.MEDIANCUT)
-    colours = np.array((made.getpalette() or [])[: 3 * COLOURS]).reshape(-1, 3)
-    colours[colours.min(axis=1) > NEARLY_WHITE] = 255  # the ground is white
-    made.putpalette(colours.ravel().tolist())
-    return made
+    ground = Image.new("RGBA", picture.size, LOOKS[options.style].ground)
+    return Image.alpha_composite(ground, picture).convert("RGB")
 
 
-def _without_ground(picture: Image) -> Image:
+def _without_ground(made: Image, picture: Image) -> Image:
+    """A picture of a palette, transparent where less than half of a pixel is covered."""
     from PIL import Image
 
     solid = np.asarray(picture.getchannel("A")) >= 128
-    white = Image.new("RGBA", picture.size, "white")
-    flat = Image.alpha_composite(white, picture).convert("RGB").quantize(COLOURS - 1)
-    indices = np.where(solid, np.asarray(flat), COLOURS - 1).astype(np.uint8)
-    made = Image.fromarray(indices, "P")
-    colours = (flat.getpalette() or [])[: 3 * (COLOURS - 1)]
-    made.putpalette(colours + [255] * (3 * COLOURS - len(colours)))
-    made.info["transparency"] = COLOURS - 1
-    return made
+    indices = np.where(solid, np.asarray(made), MOST_COLOURS).astype(np.uint8)
+    found = Image.fromarray(indices, "P")
+    found.putpalette(made.getpalette() or [])
+    found.info["transparency"] = MOST_COLOURS
+    return found
 
 
 def _write_mp4(frames: Iterable[np.ndarray], file: Path, options: FilmOptions) -> None:
@@ -123,7 +108,7 @@ def _write_mp4(frames: Iterable[np.ndarray], file: Path, options: FilmOptions) -
         words = [
             program, "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba",
             "-s", f"{width}x{height}", "-r", str(options.frames_per_second), "-i", "-",
-            "-an", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-c:v", "libx264",
+            "-an", "-c:v", "libx264",
             "-pix_fmt", "yuv420p", "-crf", "20",
             "-movflags", "+faststart", str(made),
         ]  # fmt: skip

@@ -20,6 +20,7 @@ from viscodesign.report.layout.style import own_style, shown
 from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
 from viscodesign.report.page.shown_rows import shapes_near
 from viscodesign.report.picture_options import PictureOptions
+from viscodesign.results.findings import outside_words
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes, rows_at
 
@@ -39,18 +40,19 @@ def film_frames(
 
     What does not move is drawn once; ``tubes`` are both ends of every tube.
     """
-    with drawn_as(PictureOptions(style="dark" if options.dark else "plain")), own_style():
+    with drawn_as(PictureOptions(style=options.style)), own_style():
         across, high = options.size
         dpi = across / WIDTH
         # A little more than whole pixels, which are counted by rounding down.
         made = Figure(figsize=(WIDTH + 1e-6, high / dpi + 1e-6), dpi=dpi)
         canvas: Any = FigureCanvasAgg(made)
-        if options.transparent:
-            made.patch.set_alpha(0.0)
         body = _Body(made, run, tubes, rows, options)
         curves = _Curves(made, run) if options.pressures else None
         clock = made.text(0.97, 0.95, "", ha="right", va="top", size=12, animated=True)
         _draw_title(made, run)
+        if options.transparent:
+            for part in (made, *made.axes):
+                part.patch.set_alpha(0.0)
         canvas.draw()
         ground = canvas.copy_from_bbox(made.bbox)
         for row, shape in zip(rows, shapes_near(run, rows), strict=True):
@@ -70,10 +72,14 @@ def _decimals(time: np.ndarray) -> int:
 
 def _draw_title(made: Figure, run: Trajectory) -> None:
     made.text(0.03, 0.95, shown(run.name, 48), va="top", size=12, weight="bold")
+    told = []
     if run.status != "complete":
-        told = f"run {run.status}, ended at t = {run.time[-1]:.4g} s"
+        told.append(f"run {run.status}, ended at t = {run.time[-1]:.4g} s")
+    if run.violations:
+        told.append(outside_words(run.violations))
+    for k, words in enumerate(told):
         made.text(
-            0.03, 0.895, told, va="top", size=10, weight="bold", color=look().ground,
+            0.03, 0.895 - 0.055 * k, shown(words, 72), va="top", size=10, weight="bold", color=look().ground,
             bbox={"facecolor": look().accent, "edgecolor": "none", "pad": 3},
         )  # fmt: skip
 

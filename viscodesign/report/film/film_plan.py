@@ -9,6 +9,7 @@ import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.picture_options import Style
 
 FORMATS = (".gif", ".webp", ".mp4")
 MOST_FRAMES = 3000
@@ -28,7 +29,7 @@ class FilmOptions:
     """Seconds of motion in a second of film; None: real time, or about eight seconds in all."""
     frames_per_second: int = 25
     width: int = 960
-    """[pixel]; the height is 9/16 of it."""
+    """[pixel]; an odd one is made even, as films need it; the height is 9/16 of it, and even."""
     transparent: bool = False
     """Instead of a ground."""
     dark: bool = False
@@ -56,12 +57,20 @@ class FilmOptions:
             "width": "160 to 3840 pixels",
         }
         if not fits:
-            raise UsageError(f"{name} must be {allowed[name]}; got {getattr(self, name)}")
+            option = "--fps" if name == "frames_per_second" else f"--{name}"
+            told = f"{name} ({option}) must be {allowed[name]}; got {getattr(self, name)}"
+            raise UsageError(told)
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height [pixel]."""
-        return self.width, round(self.width * 9 / 16)
+        """Width and height [pixel], both even."""
+        wide = self.width // 2 * 2
+        return wide, 2 * round(wide * 9 / 32)
+
+    @property
+    def style(self) -> Style:
+        """That of its pictures."""
+        return "dark" if self.dark else "plain"
 
 
 def film_rows(time: np.ndarray, options: FilmOptions) -> np.ndarray:

@@ -48,7 +48,7 @@ def _frames(study: WalkStudy, rows: np.ndarray, options: FilmOptions) -> Iterato
     from viscodesign.report.layout.look import drawn_as
     from viscodesign.report.layout.style import own_style, shown
 
-    with drawn_as(PictureOptions(style="dark" if options.dark else "plain")), own_style():
+    with drawn_as(PictureOptions(style=options.style)), own_style():
         across, high = options.size
         dpi = across / WIDTH
         made = Figure(figsize=(WIDTH + 1e-6, high / dpi + 1e-6), dpi=dpi)
@@ -84,7 +84,6 @@ class _SideView:
             axes.plot([tick, tick - 6], [0, -6], color=look().grey, lw=0.8)
         colours = leg_colours(motion).values()
         self.legs = [axes.plot([], [], color=c, lw=4, alpha=0.8)[0] for c in colours]
-        radius = 1e3 * max(motion.foot_radius, LEAST_RADIUS)
         radius = 1e3 * max(motion.foot_radius, LEAST_RADIUS)
         self.feet = [Circle((0, 0), radius, ec=c, lw=2) for c in colours]
         for foot in self.feet:

@@ -180,10 +180,6 @@ def test_no_screen_is_too_narrow(open_page: Open, kind: str) -> None:
     for width in (1200, 375, 320):
         page.set_viewport_size({"width": width, "height": 700})
         assert page.evaluate(WIDE) <= width
-    lines = ".stacked tbody tr"
-    tall = page.eval_on_selector_all(lines, "all => all.map((own) => own.clientHeight)")
-    words = page.eval_on_selector_all(lines, "all => all.map((own) => own.innerText.length)")
-    assert all(high <= 120 for high, told in zip(tall, words, strict=True) if told < 120)
 
 
 CONTRASTS = """() => {
@@ -217,7 +213,7 @@ def test_what_was_measured_stands_beside_the_estimate(open_page: Open) -> None:
     assert told["pressure distribution"] == "98.7 mm"
     assert told["flow regime"] == "97.4 mm"
     assert told["gas compressibility"] == "no solution"
-    assert told["fluid inertance"] == "< 1e−6 mm"  # noqa: RUF001
+    assert told["fluid inertance"] == "< 1e−6 mm"
     bar = rows["pressure distribution"].query_selector("svg").get_attribute("aria-label")
     assert bar == "22800 % of the accuracy; measured: 19700 % of the accuracy"
     assert "add up to 2.43 mm" in page.text_content("#effects")

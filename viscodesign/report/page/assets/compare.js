@@ -40,6 +40,9 @@ function showComparisonHead(found) {
       `${motion.label} ${motion.status === "failed" ? "failed" : "was interrupted"} at ${shortNumber(motion.end_s)} s.`),
       " The part that was computed is compared. ", motion.failure ? `Reason: ${motion.failure}` : ""));
   }
+  const outside = found.motions.filter((m) => m.outside.length).map((m) => `${m.label} (${m.outside.join(", ")})`);
+  if (outside.length) byId("banners").append(element("p", { class: "banner outside" }, element("strong", {}, "Outside of the model's validity"),
+    `: ${outside.join("; ")}. Stated errors do not count it.`));
   if (found.missing.length) byId("banners").append(element("p", { class: "banner interrupted", role: "alert" },
     `The comparison was interrupted, without: ${found.missing.join(", ")}.`));
   const items = found.differences.flatMap((difference) => difference.words.map((text) => element("li", {}, text)));
@@ -54,6 +57,8 @@ function showComparedMetrics(found) {
     ["status", ...found.motions.map((m) => m.status)],
     ["stated error", ...found.motions.map((m) => m.error)],
   ];
+  if (found.motions.some((m) => m.outside.length)) rows.push(["validity", ...found.motions.map((m) => (m.origin === "table" ? "measured"
+    : m.outside.length ? `outside: ${m.outside.join(", ")}` : "inside"))]);
   if (found.motions.some((m) => m.band)) rows.push(["by coefficients", ...found.motions.map((m) => m.coefficients)]);
   for (const name of Object.keys(found.motions[0].metrics)) {
     const words = name.split("_"), [unit, factor] = METRIC_UNITS[words[words.length - 1]] || ["", 1];
