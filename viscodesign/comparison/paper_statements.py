@@ -20,6 +20,8 @@ LEAST_M = 1e-9
 """Length below which there is rounding alone."""
 CLEARLY_RAD = math.radians(10.0)
 """Tip angles that differ by more than this are called significantly different."""
+NOTABLY = 0.05
+"""Part by which one loop has to be narrower than another to be called so."""
 PURELY = 0.2
 """Width over height up to which a motion is called almost purely axial."""
 SAME_PATTERN = 0.05
@@ -50,10 +52,12 @@ class Statement:
         broken = [f"{run.name} {run.status}" for run in own if run.status != "complete"]
         if broken:
             return self._told(None, f"not checked: {', '.join(broken)}")
-        return self._told(*self.judge(*own))
+        outside = [run.name for run in own if run.violations]
+        return self._told(*self.judge(*own), tuple(outside))
 
-    def _told(self, agrees: bool | None, found: str) -> PaperCheck:
-        return PaperCheck(self.figure, self.panel, self.section, self.words, agrees, found)
+    def _told(self, agrees: bool | None, found: str, outside: tuple[str, ...] = ()) -> PaperCheck:
+        told = self.figure, self.panel, self.section, self.words, agrees, found
+        return PaperCheck(*told, outside)
 
 
 def checks_of(figure: int, runs: Mapping[str, Trajectory]) -> tuple[PaperCheck, ...]:
@@ -115,8 +119,10 @@ def _starts_extended(run: Trajectory) -> Outcome:
 def _wider(straight: Trajectory, crossed: Trajectory) -> Outcome:
     wide, narrow = (run.metrics["loop_width_m"] for run in (straight, crossed))
     agrees = _exceeds(wide - narrow, straight, crossed, straight, crossed)  # two ends each
-    less = (1 - narrow / wide) * 100
-    found = f"{_mm(wide)} wide straight, {_mm(narrow)} crossed, {less:.2g} % narrower"
+    less = 1 - narrow / wide
+    found = f"{_mm(wide)} wide straight, {_mm(narrow)} crossed, {100 * less:.2g} % narrower"
+    if agrees is not None and abs(less) < NOTABLY:
+        return None, f"{found}, less than the {100 * NOTABLY:g} % that a picture shows"
     return agrees, found + _hidden(agrees)
 
 

@@ -29,9 +29,11 @@ class PaperCheck:
     words: str
     """The paper's own, or nearly."""
     agrees: bool | None
-    """None where a run is not complete, or errors hide it."""
+    """None where a run is not complete, or errors hide it, or too little is found of it."""
     found: str
     """Numbers of this run of the model, in words."""
+    outside: tuple[str, ...] = ()
+    """Its runs that leave what their model describes."""
 
     @property
     def verdict(self) -> str:
@@ -86,6 +88,19 @@ class PaperFigure:
         """Statements that agree, and statements that could be checked."""
         known = [bool(check.agrees) for check in self.checks if check.agrees is not None]
         return sum(known), len(known)
+
+    @property
+    def count_words(self) -> str:
+        """How many statements agree, and how many of these by runs outside of their model."""
+        agree, known = self.count
+        outside = sum(bool(check.agrees and check.outside) for check in self.checks)
+        open_ones = sum(check.agrees is None for check in self.checks)
+        parts = [f"{agree} of {known} statements agree"]
+        if outside:
+            parts.append(f"{outside} of these by runs outside of their model")
+        if open_ones:
+            parts.append(f"{open_ones} undecided")
+        return ", ".join(parts)
 
     def of_panel(self, name: str) -> Iterator[PaperCheck]:
         """Statements about a panel."""

@@ -98,6 +98,11 @@ def _line(k: int) -> dict[str, Any]:
     return {"color": pump_colours()[k], "ls": LINE_STYLES[turn % len(LINE_STYLES)]}
 
 
+def _shared_colour(plan: PumpPlan) -> Any:
+    """Colour of what belongs to no inlet of several: in the key, and of the tips."""
+    return look().ink if len(plan.inlets) > 1 else pump_colours()[0]
+
+
 def _mark(axes: Axes, name: str, level: float, *, upper: bool) -> None:
     """A level with its name."""
     axes.axhline(level, color=look().accent, lw=0.9, ls=(0, (6, 2)), zorder=4)
@@ -112,12 +117,10 @@ def _mark(axes: Axes, name: str, level: float, *, upper: bool) -> None:
 def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     """Both paths in mm with equal axes, z downwards as the actuator hangs."""
     wanted, done = (1e3 * run.tip[:, :2] for run in (plan.wanted_run, plan.achievable_run))
-    for points, colour, width, alpha in (
-        (wanted, look().grey, 4.0, 0.45),
-        (done, look().ink, 1.3, 1.0),
-    ):
-        axes.plot(*points.T, solid_joinstyle="round", color=colour, lw=width, alpha=alpha)
-        axes.plot(*points[0], marker="o", ms=4, color=colour, zorder=4)
+    colour = _shared_colour(plan)
+    for points, style in ((wanted, WANTED), (done, DONE)):
+        axes.plot(*points.T, solid_joinstyle="round", color=colour, **style)
+        axes.plot(*points[0], marker="o", ms=4, color=colour, alpha=style.get("alpha"), zorder=4)
     both = np.concatenate([wanted, done])
     x, z = (both.min(axis=0) + both.max(axis=0)) / 2
     half = max(float(np.max(np.ptp(both, axis=0))) * 0.56, 0.5)
@@ -151,8 +154,8 @@ def _legend_entries(plan: PumpPlan) -> int:
 def _draw_legend(made: Figure, plan: PumpPlan, bottom: float, columns: int) -> None:
     inlets = plan.inlets if len(plan.inlets) > 1 else ()
     handles = [
-        Line2D([], [], color=look().ink, label="wanted", **WANTED),
-        Line2D([], [], color=look().ink, label="achievable", **DONE),
+        Line2D([], [], color=_shared_colour(plan), label="wanted", **WANTED),
+        Line2D([], [], color=_shared_colour(plan), label="achievable", **DONE),
         *(Line2D([], [], lw=2, label=shown(n, 14), **_line(k)) for k, n in enumerate(inlets)),
     ]
     place = np.array([LEFT, bottom]) / made.get_size_inches()

@@ -11,6 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture, shown
 from viscodesign.results.trajectory import Trajectory
@@ -33,6 +34,10 @@ BAR_THICKNESS = 0.36
 """Thickness of a bar, as a share of its row."""
 HATCH = "/////"
 BUDGET_DASHES = (0, (5, 2))
+RESOLVED_MM = 1e-6
+"""Displacements below this are rounding [mm]."""
+NUMBER_SIZE, NUMBER_GAP = 6.5, 3.0
+"""Letters of numbers, and the room beside them [pt]."""
 SMALLEST_BAR = 1e-5
 """Smallest displacement that is drawn as a bar, as a share of the requested error."""
 
@@ -131,8 +136,7 @@ def _draw_bar(
     """A filled or hatched bar, with its number at its end."""
     low, high = axes.get_xlim()
     if move is None or move <= low:
-        words = note if move is None else f"{move:.2g}" if move else "none"
-        _write(axes, low, y, words)
+        _write(axes, low, y, note if move is None else _small(move))
         return
     end = min(move, low * (high / low) ** (1 - number))
     edge = look().grey if colour == look().faint else colour
@@ -145,12 +149,33 @@ def _draw_bar(
     _write(axes, end, y, f"{move:.3g}" if math.isfinite(move) else "unbounded")
 
 
+def _small(move: float) -> str:
+    """A number too small for a bar."""
+    if not move:
+        return "none"
+    return f"< {RESOLVED_MM:g}" if move < RESOLVED_MM else f"{move:.2g}"
+
+
 def _write(axes: Axes, x: float, y: float, words: str) -> None:
+    """Words right of a place; right of the limit's line where they would lie on it."""
     axes.annotate(
-        words, xy=(x, y), xytext=(3, 0), textcoords="offset points", va="center_baseline",
-        fontsize=6.5, color=look().ink, zorder=5,
-        bbox={"facecolor": look().ground, "edgecolor": "none", "pad": 0.4},
+        words, xy=(_beside_line(axes, x, words), y), xytext=(NUMBER_GAP, 0),
+        textcoords="offset points", va="center_baseline", fontsize=NUMBER_SIZE, color=look().ink,
+        zorder=5, bbox={"facecolor": look().ground, "edgecolor": "none", "pad": 0.4},
     )  # fmt: skip
+
+
+def _beside_line(axes: Axes, x: float, words: str) -> float:
+    low, high = axes.get_xlim()
+    wide = axes.figure.get_size_inches()[0] * axes.get_position().width * POINTS
+    line, at = (wide * math.log(v / low) / math.log(high / low) for v in (_limit_of(axes), x))
+    width = NUMBER_GAP + len(words) * CHARACTER_WIDTH * NUMBER_SIZE + NUMBER_GAP
+    return _limit_of(axes) if at < line < at + width else x
+
+
+def _limit_of(axes: Axes) -> float:
+    """Where the line of the requested error is."""
+    return float(axes.lines[0].get_xdata()[0])  # type: ignore[index]
 
 
 def _draw_names(axes: Axes, rows: list[EffectRow], budget: float, warning: str) -> None:

@@ -37,6 +37,8 @@ INSTANTS = 6
 """Shapes drawn along the path of a single run."""
 COLUMNS = 20
 """Characters of a line of words below a panel, for an inch of its side."""
+HEAD_COLUMNS = 16
+"""The same of a line above all panels."""
 MOST_NAME = 30
 
 
@@ -52,7 +54,13 @@ class DrawnPath:
 def draw_figure(found: PaperFigure, path: Path) -> None:
     """Draw a figure; png, pdf or svg by the ending."""
     if not found.panels:
-        draw_plane(found.classifications, path, found.beside)
+        differing = [
+            f"{check.verdict}: the paper has {check.words}, the model {check.found}"
+            for check in found.checks
+            if check.agrees is False
+        ]
+        told = [f"{found.count_words[0].upper()}{found.count_words[1:]}", *differing]
+        draw_plane(found.classifications, path, found.beside, told)
         return
     width = look().across(LEFT + 2 * SIDE + GAP + RIGHT)
     side, count = (width - LEFT - GAP - RIGHT) / 2, 2
@@ -61,19 +69,43 @@ def draw_figure(found: PaperFigure, path: Path) -> None:
     rows = [found.panels[k : k + count] for k in range(0, len(found.panels), count)]
     texts = [[_lines(found, panel, side) for panel in row] for row in rows]
     heights = [TITLE + side + AXIS + LINE * max(len(own) for own in row) + PADDING for row in texts]
-    top = sum(heights)
-    with picture(path, width, top + title_room()) as made:
-        draw_title(made, shown(_title(found), 100), LEFT)
+    top, lines = sum(heights), _head_lines(found, width)
+    around = _shared_frame(found)
+    with picture(path, width, top + LINE * len(lines) + title_room()) as made:
+        draw_title(made, shown(_title(found), 120), LEFT)
+        _write_lines(made, lines, LEFT, top + LINE * len(lines))
         for row, words, tall in zip(rows, texts, heights, strict=True):
             for k, panel in enumerate(row):
-                _draw_panel(made, panel, words[k], LEFT + k * (side + GAP), top, side)
+                left = LEFT + k * (side + GAP)
+                _draw_panel(made, panel, words[k], left, top, side, around)
             top -= tall
 
 
 def _title(found: PaperFigure) -> str:
-    agree, known = found.count
     changed = f" ({', '.join(found.changes)})" if found.changes else ""
-    return f"Figure {found.number}: {found.title}. {agree} of {known} statements agree{changed}"
+    return f"Figure {found.number}: {found.title}{changed}"
+
+
+def _head_lines(found: PaperFigure, width: float) -> list[tuple[str, str]]:
+    """How many statements agree, and which runs leave their model, each line with its colour."""
+    told = [(f"{found.count_words[0].upper()}{found.count_words[1:]}", look().ink)]
+    if found.outside:
+        words = f"Outside of what the model describes: {', '.join(found.outside)}"
+        told.append((words, look().warning))
+    most = int(HEAD_COLUMNS * (width - LEFT))
+    return [(line, colour) for text, colour in told for line in textwrap.wrap(text, most)]
+
+
+def _shared_frame(found: PaperFigure) -> np.ndarray:
+    """Points (n, 2) [mm] about all panels of one moving run: these are to be compared."""
+    single = [p.runs[0] for p in found.panels if len(p.runs) == 1 and not _is_still(p.runs[0])]
+    points = [1e3 * _bodies(run).reshape(-1, 2) for run in single]
+    return np.concatenate([np.empty((0, 2)), *points])
+
+
+def _bodies(run: Trajectory) -> np.ndarray:
+    """Outlines (n, M, 2) along the path of a run [m]."""
+    return outline(run.shape[spread_instants(run, INSTANTS)], body_widths(run))
 
 
 def _lines(found: PaperFigure, panel: FigurePanel, side: float) -> list[tuple[str, str]]:
@@ -102,6 +134,7 @@ def _draw_panel(
     left: float,
     top: float,
     side: float,
+    around: np.ndarray,
 ) -> None:
     width, height = made.get_size_inches()
     title = f"{panel.name}  {panel.title}"
@@ -109,23 +142,33 @@ def _draw_panel(
     bottom = top - TITLE - side
     axes = axes_at(made, left, bottom, side, side)
     if panel.runs:
-        _draw_runs(axes, panel.runs)
-    for k, (line, colour) in enumerate(words):
-        at = bottom - AXIS - LINE * (k + 0.6)
-        made.text((left - 0.35) / width, at / height, line, size=7.2, color=colour)
+        _draw_runs(axes, panel.runs, around)
+    _write_lines(made, words, left - 0.35, bottom - AXIS)
 
 
-def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...]) -> None:
-    """Steady actuators themselves, one moving one coloured by time, or several paths."""
+def _write_lines(made: Figure, lines: list[tuple[str, str]], left: float, top: float) -> None:
+    """Lines of words from a place [inch] down."""
+    width, height = made.get_size_inches()
+    for k, (line, colour) in enumerate(lines):
+        at = top - LINE * (k + 0.6)
+        made.text(left / width, at / height, line, size=7.2, color=colour)
+
+
+def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...], around: np.ndarray) -> None:
+    """Steady actuators themselves, one moving one coloured by time, or several paths.
+
+    ``around``: points (n, 2) [mm] that the frame of a moving one holds, too.
+    """
     if all(_is_still(run) for run in runs):
-        _draw_bodies(axes, [outline(run.shape[-1:], body_widths(run)) for run in runs])
+        still = [outline(run.shape[-1:], body_widths(run)) for run in runs]
+        _draw_bodies(axes, still, np.empty((0, 2)))
         for k, run in enumerate(runs):
             axis, colour = 1e3 * run.shape[-1], line_style(k).colour
             axes.plot(*axis.T, color=colour, lw=1.8, zorder=4, label=shown(run.name, MOST_NAME))
             axes.plot(*axis[-1], marker="o", ms=5, mfc=look().ground, mec=colour, zorder=5)
     elif len(runs) == 1:
         run = runs[0]
-        _draw_bodies(axes, [outline(run.shape[spread_instants(run, INSTANTS)], body_widths(run))])
+        _draw_bodies(axes, [_bodies(run)], around)
         lines = draw_path(axes, run, 0.8)
         bar = axes.figure.colorbar(lines, cax=axes.inset_axes((0.03, 0.03, 0.025, 0.28)))
         bar.set_label(channel("time").label, size=7)
@@ -143,10 +186,10 @@ def _is_still(run: Trajectory) -> bool:
     return float(np.ptp(run.tip[:, :2], axis=0).max()) <= STILL_SHARE * run.length
 
 
-def _draw_bodies(axes: Axes, bodies: list[np.ndarray]) -> None:
-    """Outlines (n, M, 2) [m] in light grey, in a frame about all of them."""
+def _draw_bodies(axes: Axes, bodies: list[np.ndarray], around: np.ndarray) -> None:
+    """Outlines (n, M, 2) [m] in light grey, in a frame about all of them and other points."""
     every = 1e3 * np.concatenate(bodies)
-    frame_about(axes, every.reshape(-1, 2))
+    frame_about(axes, np.concatenate([every.reshape(-1, 2), around]))
     axes.add_collection(
         PolyCollection(
             list(every), facecolors=look().body, edgecolors=look().faint, lw=0.6, alpha=0.6

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -35,8 +36,10 @@ LARGEST_DECADE = 9
 """Ratios beyond ten to this, up or down, are drawn at the edge."""
 EDGE_DISTANCE = 0.022
 """Distance of what lies outside from the edge, of the plane's side."""
-SAME_PLACE = 0.012
+SAME_PLACE = 0.004
 """Points nearer than this, of the plane's side, are one mark."""
+TOLD_COLUMNS = 17
+"""Characters of a line below the plane, for an inch."""
 MOST_NAMED_MARKS, MOST_NAMES_PER_MARK = 5, 3
 """So many marks, of so many names, have the names themselves beside them; more have numbers."""
 
@@ -55,10 +58,12 @@ def draw_plane(
     classifications: Sequence[Classification],
     path: Path,
     beside: Mapping[str, str] | None = None,
+    told: Sequence[str] = (),
 ) -> None:
     """Log-log, four quadrants, every spec named; png, pdf or svg by the ending.
 
-    ``beside``: words under those of a quadrant.
+    ``beside``: words under those of a quadrant; ``told``: lines below the plane, of which all but
+    the first warn.
     """
     places = [_place(found) for found in classifications]
     decades = (_decades([x for x, _ in places]), _decades([y for _, y in places]))
@@ -70,16 +75,30 @@ def draw_plane(
     is_beside = not direct and width - LEFT - KEY_WIDTH >= LEAST_SIZE
     size = min(SIZE, width - LEFT - (KEY_WIDTH if is_beside else RIGHT))
     below = 0.0 if direct or is_beside else 0.1 + KEY_LINE * _key_lines(marks)
-    with picture(path, width, below + BOTTOM + size + ABOVE) as made:
-        axes = axes_at(made, LEFT, below + BOTTOM, size, size)
+    lines = [line for text in told for line in textwrap.wrap(text, int(TOLD_COLUMNS * width))]
+    foot = KEY_LINE * len(lines) + (0.1 if lines else 0.0)
+    with picture(path, width, foot + below + BOTTOM + size + ABOVE) as made:
+        _write_told(made, lines, foot)
+        axes = axes_at(made, LEFT, foot + below + BOTTOM, size, size)
         axes.set(xlim=(0, 1), ylim=(0, 1))
         words = _draw_quadrants(axes, decades, beside or {}, size)
         _draw_ticks(axes, decades)
         texts = ["\n".join(m.names) if direct else str(k + 1) for k, m in enumerate(marks)]
         _draw_marks(axes, marks, texts, words, size)
         if not direct:
-            place = (LEFT + size + 0.15, BOTTOM, size) if is_beside else (LEFT, 0.05, below - 0.05)
+            place = (LEFT + size + 0.15, foot + BOTTOM, size)
+            if not is_beside:
+                place = (LEFT, foot + 0.05, below - 0.05)
             _draw_key(made, marks, *place)
+
+
+def _write_told(made: Figure, lines: Sequence[str], top: float) -> None:
+    """Lines from a height [inch] down; all but the first warn."""
+    width, height = made.get_size_inches()
+    for k, line in enumerate(lines):
+        at = top - KEY_LINE * (k + 1)
+        colour = look().warning if k else look().ink
+        made.text(0.1 / width, at / height, line, size=7.5, color=colour)
 
 
 def _place(found: Classification) -> tuple[float, float]:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 from viscodesign.report.charts.coefficient_band import band_corners, draw_band
+from viscodesign.report.charts.tip_instants import draw_instants
 from viscodesign.report.charts.tip_path import draw_path, time_range
 from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
@@ -69,6 +70,7 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
             side = min(ZOOM, width)
             axes = axes_at(made, LEFT if below else right - ZOOM, BOTTOM, side, side)
             _draw_enlarged(axes, trajectory)
+        draw_instants(axes, trajectory, trajectory.shape_rows[instants])
         legend = LEFT + ZOOM if below else right
         _draw_legend(made, axes, legend, BOTTOM + ZOOM + 0.25 * below + 0.05 if zoomed else 0.07)
         bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, base, 0.12, height))

@@ -79,7 +79,8 @@ def _draw_title(made: Figure, run: Trajectory) -> None:
         told.append(outside_words(run.violations))
     for k, words in enumerate(told):
         made.text(
-            0.03, 0.895 - 0.055 * k, shown(words, 72), va="top", size=10, weight="bold", color=look().ground,
+            0.03, 0.895 - 0.055 * k, shown(words, 72), va="top", size=10, weight="bold",
+            color=look().ground,
             bbox={"facecolor": look().accent, "edgecolor": "none", "pad": 3},
         )  # fmt: skip
 

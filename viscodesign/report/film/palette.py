@@ -30,7 +30,7 @@ def film_palette(frame: Image, look: Look) -> Image:
     free = MOST_COLOURS - len(fixed)
     others = frame.quantize(free, method=Image.Quantize.MEDIANCUT).getpalette() or []
     every = np.concatenate([fixed, np.array(others[: 3 * free], dtype=int).reshape(-1, 3)])
-    # Pillow looks colours up in cells of a few units: beside its own colour, the ground would be another's.
+    # Pillow looks colours up in cells of a few units: the ground would take one beside its own.
     near = np.abs(every - every[0]).max(axis=1) < CELL
     every = np.concatenate([every[:1], every[~near]])
     # What is left of the 256 repeats the last colour.

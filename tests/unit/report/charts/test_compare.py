@@ -11,10 +11,12 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 from tests.trajectories import made_run
+from tests.unit.report.charts.conftest import assert_on_page
 from viscodesign import compare
 from viscodesign.report.charts.compare import draw_comparison
 from viscodesign.report.charts.paper_figure import draw_figure
 from viscodesign.results.coefficient_band import CoefficientBand, UncertainNumber
+from viscodesign.results.findings import Notice
 from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
 from viscodesign.results.trajectory import Accuracy
 
@@ -96,3 +98,35 @@ def test_panels_of_a_figure_and_their_statements(
     assert {"A  one", "B  two", "C  steady"} <= set(texts)
     legends = [axes.get_legend() for axes in figures[0].axes if axes.get_legend()]
     assert [t.get_text() for t in legends[0].get_texts()] == ["leg_made_up", "slow"]
+
+
+def test_panels_of_one_moving_run_each_have_one_scale_and_say_where_the_model_ends(
+    figures: list[Figure], tmp_path: Path
+) -> None:
+    beyond = (Notice("choking", "it chokes", "inlet-R1", 0.5),)
+    wide = replace(made_run(bending=1.5), name="wide", violations=beyond)
+    panels = (FigurePanel("A", "one", "", (made_run(),)), FigurePanel("B", "two", "", (wide,)))
+    check = PaperCheck(3, "B", "3.1", "it moves", True, "10 mm", ("wide",))
+    draw_figure(PaperFigure(3, "Title", panels, (check,), "1"), tmp_path / "figure.png")
+    square = [axes for axes in figures[0].axes if axes.get_xlabel() == "x [mm]"]
+    assert square[0].get_xlim() == square[1].get_xlim()
+    assert square[0].get_ylim() == square[1].get_ylim()
+    texts = [text.get_text() for text in figures[0].texts]
+    assert "Outside of what the model describes: wide (choking)" in texts
+    assert "1 of 1 statements agree, 1 of these by runs outside of their model" in texts
+    assert_on_page(figures[0])
+
+
+def test_a_run_outside_of_its_model_is_told_above_the_paths(
+    figures: list[Figure], tmp_path: Path
+) -> None:
+    beyond = (Notice("choking", "it chokes", "inlet-R1", 0.5),)
+    found = compare(made_run(), replace(made_run(lag=0.02), name="slow", violations=beyond))
+    draw_comparison(found, tmp_path / "compare.png")
+    assert "outside of the model: slow (choking)" in [t.get_text() for t in figures[0].texts]
+    (difference,) = found.differences
+    assert (
+        "outside of the model, which no stated error counts: slow (choking)" in difference.sentence
+    )
+    assert "clocks" not in " ".join(difference.sentences)
+    assert difference.shift is not None

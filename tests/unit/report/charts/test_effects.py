@@ -106,6 +106,21 @@ def test_the_requested_error_is_a_labelled_line(drawn: Drawn) -> None:
     assert any(text.endswith("[mm]") for text in words(figure))
 
 
+def test_no_number_lies_on_the_line_of_the_requested_error(drawn: Drawn) -> None:
+    near = {"gravity": (4.9e-4, 4.85e-4), "inertia": (2.7e-4, 4e-4), "collapse": (0.0, 9.4e-14)}
+    run = ablated_run(
+        effects=tuple(verdict(name, True, own[0]) for name, own in near.items()),
+        proof=tuple(EffectAblation(name, True, *own, 1.0) for name, own in near.items()),
+    )
+    figure = drawn(run)
+    (axes,) = figure.axes
+    line = axes.transData.transform((1e3 * run.accuracy.requested_m, 0))[0]
+    boxes = [text.get_window_extent() for text in axes.texts]
+    assert len(boxes) > 4
+    assert not any(box.x0 < line < box.x1 for box in boxes)
+    assert "< 1e-06" in words(figure)
+
+
 def test_a_neglected_but_significant_effect_stands_out(drawn: Drawn) -> None:
     figure = drawn(ablated_run())
     wrong = [
@@ -124,7 +139,7 @@ def test_effects_without_a_bar_are_described(drawn: Drawn) -> None:
     assert ("none", 10) in told
     assert round(place["no solution without it"].xy[1]) == 2  # type: ignore[attr-defined]
     assert round(place["unbounded"].xy[1]) == 1  # type: ignore[attr-defined]
-    assert round(place["2e-09"].xy[1]) == 8  # type: ignore[attr-defined]
+    assert round(place["< 1e-06"].xy[1]) == 8  # type: ignore[attr-defined]
     assert {row for row, _ in bars(figure)} == set(range(8))
 
 

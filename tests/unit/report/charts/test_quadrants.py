@@ -53,6 +53,15 @@ def test_specs_at_one_place_share_a_label(figures: list[Figure], tmp_path: Path)
     assert markers(figures[0]) == ["o"]
 
 
+def test_specs_at_two_places_are_two_marks(figures: list[Figure], tmp_path: Path) -> None:
+    told = ["1 of 2 statements agree", "DIFFERS: t_i = 0.74 s: 0.67 s"]
+    specs = [spec("a", 10, 10), spec("b", 10, 11.1)]
+    draw_plane(specs, tmp_path / "plane.png", told=told)
+    assert markers(figures[0]) == ["o", "o"]
+    assert {"a", "b", *told} <= set(words(figures[0]))
+    assert_on_page(figures[0])
+
+
 def test_what_lies_outside_is_an_arrow_at_the_edge(figures: list[Figure], tmp_path: Path) -> None:
     draw_plane(
         [
