@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
@@ -167,7 +168,7 @@ def _write(axes: Axes, x: float, y: float, words: str) -> None:
 
 def _beside_line(axes: Axes, x: float, words: str) -> float:
     low, high = axes.get_xlim()
-    wide = axes.figure.get_size_inches()[0] * axes.get_position().width * POINTS
+    wide = axes.bbox.width / axes.figure.dpi * POINTS
     line, at = (wide * math.log(v / low) / math.log(high / low) for v in (_limit_of(axes), x))
     width = NUMBER_GAP + len(words) * CHARACTER_WIDTH * NUMBER_SIZE + NUMBER_GAP
     return _limit_of(axes) if at < line < at + width else x
@@ -175,7 +176,7 @@ def _beside_line(axes: Axes, x: float, words: str) -> float:
 
 def _limit_of(axes: Axes) -> float:
     """Where the line of the requested error is."""
-    return float(axes.lines[0].get_xdata()[0])  # type: ignore[index]
+    return float(np.asarray(axes.lines[0].get_xdata(), dtype=float)[0])
 
 
 def _draw_names(axes: Axes, rows: list[EffectRow], budget: float, warning: str) -> None:

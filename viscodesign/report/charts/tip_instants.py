@@ -27,8 +27,9 @@ def draw_instants(axes: Axes, trajectory: Trajectory, rows: np.ndarray) -> None:
     tips = 1e3 * rows_at(trajectory.tip, rows)[:, :2]
     norm = np.clip((trajectory.time[rows] - time_range(trajectory)[0]) / _span(trajectory), 0, 1)
     axes.scatter(
-        *tips.T, s=11, c=look().sequential(norm), edgecolors=look().ink, linewidths=0.6, zorder=6.5
-    )
+        tips[:, 0], tips[:, 1], s=11, c=look().sequential(norm), edgecolors=look().ink,
+        linewidths=0.6, zorder=6.5,
+    )  # fmt: skip
     side, points = _fractions(axes, tips)
     words = [label.removeprefix("t = ") for label in time_labels(trajectory.time[rows])]
     for label in place_labels(points, words, _taken(axes, trajectory), size=SIZE, side=side):
@@ -42,8 +43,7 @@ def _span(trajectory: Trajectory) -> float:
 
 def _size(axes: Axes) -> np.ndarray:
     """Width and height of axes [inch]."""
-    place = axes.get_position()
-    return np.asarray(axes.figure.get_size_inches() * (place.width, place.height))
+    return np.array((axes.bbox.width, axes.bbox.height)) / axes.figure.dpi
 
 
 def _fractions(axes: Axes, places: np.ndarray) -> tuple[float, list[tuple[float, float]]]:

@@ -51,8 +51,9 @@ def film_frames(
         clock = made.text(0.97, 0.95, "", ha="right", va="top", size=12, animated=True)
         _draw_title(made, run)
         if options.transparent:
-            for part in (made, *made.axes):
-                part.patch.set_alpha(0.0)
+            made.patch.set_alpha(0.0)
+            for axes in made.axes:
+                axes.patch.set_alpha(0.0)
         canvas.draw()
         ground = canvas.copy_from_bbox(made.bbox)
         for row, shape in zip(rows, shapes_near(run, rows), strict=True):
