@@ -23,6 +23,7 @@ from keys_table import HEAD, coefficient_units, sections
 from tip_pair import draw_tips
 
 from viscodesign import AccuracyStudy, Trajectory, accuracy, load, simulate
+from viscodesign.citations import every_work
 from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.physics.bellow_estimates import LegSizes, first_coefficients
 from viscodesign.report.charts.accuracy import draw_accuracy
@@ -39,7 +40,7 @@ PICTURE = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 def main(names: list[str]) -> None:
     """Fill the pages with these names, or all."""
     makers: dict[str, Callable[[], dict[str, str]]] = {
-        "effects": lambda: {"effects": effects_table()},
+        "effects": lambda: {"effects": effects_table(), "works": works_list()},
         "measuring": lambda: {"estimates": estimates_table()},
         "keys": lambda: {"keys": keys_tables()},
         "commands": lambda: {"commands": "\n\n".join(commands())},
@@ -135,6 +136,11 @@ def _effect_row(effect: dict[str, Any]) -> tuple[str, ...]:
         effect["validity"],
         ", ".join(f"`{key}`" for key in keys) or "none but its own",
     )
+
+
+def works_list() -> str:
+    """The works behind effects, fluids and solvers."""
+    return "\n".join(f"- {work.text}" for work in every_work())
 
 
 def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:

@@ -11,7 +11,7 @@ from viscodesign.effects.catalogue import catalogue
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.scene.fluid import named_fluid
+from viscodesign.scene.fluid import named_fluid, named_fluids
 from viscodesign.solve.transient import every_solver
 
 CASADI = LiteratureReference(
@@ -52,6 +52,27 @@ def citations_of(run: Trajectory) -> list[Citation]:
         known.setdefault(reference.key, reference)
         uses.setdefault(reference.key, []).append(use)
     return [Citation(known[key], tuple(dict.fromkeys(own))) for key, own in uses.items()]
+
+
+def own_sources(run: Trajectory) -> list[str]:
+    """Where effects of a run are taken from that build on no work in particular."""
+    kinds = [catalogue().get(verdict.name) for verdict in run.effects if verdict.taken]
+    return [
+        f"effect {kind.name}: {kind.source}"
+        for kind in kinds
+        if kind is not None and kind.source and not kind.references
+    ]
+
+
+def every_work() -> list[LiteratureReference]:
+    """All works that any run can be told to cite, each once, in the order of their keys."""
+    members = (
+        *catalogue().values(),
+        *every_solver().values(),
+        *named_fluids().values(),
+    )
+    every = [PAPER, CASADI, *(work for member in members for work in member.references)]
+    return [work for _, work in sorted({work.key: work for work in every}.items())]
 
 
 def _uses(run: Trajectory) -> Iterator[tuple[LiteratureReference, str]]:

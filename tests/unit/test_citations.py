@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenes import CONFIGS
 from tests.trajectories import made_run, verdict
-from viscodesign.citations import CASADI, citations_of
+from viscodesign.citations import CASADI, citations_of, every_work, own_sources
 from viscodesign.cli.main import main
 from viscodesign.effects.catalogue import catalogue
 from viscodesign.references import PAPER, LiteratureReference
@@ -52,6 +52,34 @@ def test_entries_are_complete_and_can_be_read_as_bibtex() -> None:
         text = reference.bibtex
         assert text.count("{") == text.count("}")
         assert text.isascii()
+
+
+def test_every_work_is_listed_with_its_identifier() -> None:
+    works = {work.key: work.text for work in every_work()}
+    assert {reference.key for reference in every_reference()} <= set(works)
+    assert works["churchill1977"] == (
+        "Churchill, S. W. (1977). Friction-factor equation spans all fluid-flow regimes. "
+        "Chemical Engineering 84(24), 91-92"
+    )
+    assert works["matia2023"].startswith("Matia, Yoav et al. (2023). Harnessing Nonuniform")
+    assert works["andersson2019"].endswith("11, 1-36, https://doi.org/10.1007/s12532-018-0139-4")
+    assert not any(mark in text for text in works.values() for mark in ("{", "\\", " and others"))
+
+
+def test_effects_without_a_work_say_where_they_are_from(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    effects = (
+        verdict("fluid_inertance", True),
+        verdict("flow_regime", True),
+        verdict("damping", False),
+    )
+    told = own_sources(a_run(effects=effects))
+    assert told == ["effect fluid_inertance: Momentum of a parabolic profile."]
+    assert main(["effects", "flow_regime"]) == 0
+    assert "Friction-factor equation spans all fluid-flow regimes" in " ".join(
+        capsys.readouterr().out.split()
+    )
 
 
 def test_a_run_cites_what_it_used() -> None:

@@ -28,12 +28,15 @@ def command(
     and its time integration, each with a comment that says what for. With -o also writes
     DIR/references.bib.
     """
-    from viscodesign.citations import citations_of
+    from viscodesign.citations import citations_of, own_sources
     from viscodesign.cli.output import json_text, say, write_text
     from viscodesign.report.read_run import read_run
 
-    found = citations_of(read_run(run))
+    read = read_run(run)
+    found, others = citations_of(read), own_sources(read)
     text = "\n\n".join(citation.bibtex for citation in found)
+    if others:
+        text += "\n\n% without a work of its own:" + "".join(f"\n% {line}" for line in others)
     if output is not None:
         write_text(output / "references.bib", text + "\n", overwrite=True)
     if json:
@@ -46,6 +49,6 @@ def command(
             }
             for c in found
         ]
-        say(json_text({"references": entries}))
+        say(json_text({"references": entries, "without_a_work": others}))
     elif not quiet:
         say(text)

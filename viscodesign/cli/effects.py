@@ -68,6 +68,7 @@ def _document(kind: type[Effect]) -> dict[str, Any]:
         "formula": kind.formula,
         "validity": kind.validity,
         "source": kind.source,
+        "references": [work.text for work in kind.references],
         "keys": _keys(kind),
         "needs": list(kind.needs),
         "follows_others": not kind.own_rule,
@@ -128,6 +129,7 @@ def _page(kind: type[Effect]) -> list[str]:
         "weight": kind.formula,
         "validity": kind.validity,
         "source": kind.source,
+        "works": "; ".join(work.text for work in kind.references),
         "spec keys": ", ".join(_keys(kind)),
         "decision": _decision(kind),
     }
