@@ -199,11 +199,15 @@ class Fit:
     left_out: tuple[tuple[str, str], ...] = ()
     """Keys that were not asked for by name and cannot be free, and why."""
     warnings: tuple[str, ...] = ()
+    """What casts doubt on the numbers, a sentence each."""
     mismatch: Mismatch | None = None
     """Where the model leaves more of the recordings than their noise."""
     next_experiment: Experiment | None = None
+    """The recording that would tell most of the numbers that are not identified yet."""
     evaluations: int = 0
+    """Times that the model was solved."""
     wall_s: float = 0.0
+    """Wall time of the fit [s]."""
 
     def __repr__(self) -> str:
         known = sum(number.is_identified for number in self.numbers)

@@ -71,7 +71,9 @@ class SensitivityStudy:
     left_out: tuple[tuple[str, str], ...] = ()
     """Keys that were not asked for by name and have no slope, and why."""
     sampled: SampledVariance | None = None
+    """The same by a sample of designs, without linearization; None where none was asked for."""
     wall_s: float = 0.0
+    """Wall time of the study [s]."""
     resolved_sha256: str = ""
     """SHA-256 of the resolved spec, with all overrides."""
 
