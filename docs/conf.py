@@ -23,10 +23,10 @@ autodoc_typehints = "signature"
 autodoc_default_options = {
     "members": True,
     "undoc-members": True,
-    "inherited-members": "SpecPart, ViscodesignError, Exception, KeyboardInterrupt, object",
+    "inherited-members": "BaseModel, SpecPart, Exception, BaseException, KeyboardInterrupt, object",
     "exclude-members": "model_config, model_post_init",
 }
-"""Fields without a text of their own are named too, and so is what a class has of a base of ours."""
+"""Fields without a text of their own are named, and so is what a class has of a base of ours."""
 myst_heading_anchors = 3
 myst_enable_extensions = ["attrs_inline"]
 suppress_warnings = ["myst.header"]  # the README begins with a picture, not with a title

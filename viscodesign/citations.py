@@ -66,12 +66,10 @@ def own_sources(run: Trajectory) -> list[str]:
 
 def every_work() -> list[LiteratureReference]:
     """All works that any run can be told to cite, each once, in the order of their keys."""
-    members = (
-        *catalogue().values(),
-        *every_solver().values(),
-        *named_fluids().values(),
-    )
-    every = [PAPER, CASADI, *(work for member in members for work in member.references)]
+    effects = (work for kind in catalogue().values() for work in kind.references)
+    solvers = (work for kind in every_solver().values() for work in kind.references)
+    fluids = (work for kind in named_fluids().values() for work in kind.references)
+    every = [PAPER, CASADI, *effects, *solvers, *fluids]
     return [work for _, work in sorted({work.key: work for work in every}.items())]
 
 

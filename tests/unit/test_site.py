@@ -9,6 +9,7 @@ import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
@@ -19,6 +20,8 @@ import viscodesign.pump
 from tests.scenes import ROOT
 
 DOCS = ROOT / "docs"
+NOT_LISTED = {"SpecPart", "ViscodesignError"}
+"""Bases whose members are no matter of a user's."""
 BLOCK = re.compile(r"```(sh|text|python)\n(.*?)```", re.DOTALL)
 
 
@@ -35,7 +38,18 @@ def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
     reference = (site / "api.html").read_text(encoding="utf-8")
     public = [name for name in viscodesign.__all__ if name[0] != "_"]
     assert all(f'id="viscodesign.{name}"' in reference for name in public)
+    assert [name for name in _members(public) if f'id="viscodesign.{name}"' not in reference] == []
     assert not re.search(r'(?:src|href)="https?:[^"]*\.(?:js|css|woff2?|png)', reference)
+
+
+def _members(public: list[str]) -> Iterator[str]:
+    """Fields, properties and methods of our own classes, with those of their bases of ours."""
+    things = {name: getattr(viscodesign, name) for name in public}
+    for name, thing in things.items():
+        for base in thing.__mro__ if inspect.isclass(thing) else ():
+            if base.__module__.startswith("viscodesign") and base.__name__ not in NOT_LISTED:
+                own = (*vars(base).get("__annotations__", {}), *vars(base))
+                yield from (f"{name}.{m}" for m in own if m[0] != "_" and "model_" not in m)
 
 
 def test_every_public_name_is_documented() -> None:
