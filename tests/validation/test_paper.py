@@ -201,6 +201,8 @@ def mirrored(found: Trajectory) -> Trajectory:
 def test_where_the_model_differs_from_the_words_of_the_figures() -> None:
     """The same as the tests above find, apart from them in code."""
     straight = verdicts_of(3, lambda found: found)
+    narrower = "straight connectivity produces wide motion, a crossing narrower cycles"
+    assert straight.pop(narrower) == "undecided"  # by 1.5 % of the width
     assert set(straight.values()) == {"agrees"}
     found = verdicts_of(4, lambda found: found)
     assert [words for words, verdict in found.items() if verdict != "agrees"] == [
