@@ -52,7 +52,7 @@ def mismatch_of(
         noise=float(noise[place]),
         unit=KINDS[channel.measured].unit,
         effects=tuple(sorted(effects)),
-        effects_left_out=tuple(sorted(_possible_effects(scene) - effects)),
+        effects_left_out=tuple(sorted(_forbidden_effects(scene) - effects)),
     )
 
 
@@ -70,7 +70,8 @@ def worst_sample(residuals: np.ndarray) -> tuple[int, int]:
     return int(row), int(column)
 
 
-def _possible_effects(scene: Scene) -> frozenset[str]:
+def _forbidden_effects(scene: Scene) -> frozenset[str]:
     """Effects that the scene would have if its spec turned none off."""
     free = copied(scene, {"effects": EffectsChoice.model_validate("auto")})
-    return frozenset(AllowedSets(SceneQuantities(free)).everything)
+    possible, allowed = (AllowedSets(SceneQuantities(own)).everything for own in (free, scene))
+    return frozenset(possible - allowed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -13,7 +14,7 @@ from viscodesign._version import __version__
 from viscodesign.calibration.clocks import guessed_lateness, is_late
 from viscodesign.calibration.description import mismatch_of
 from viscodesign.calibration.driving import RecordedDrive, driven
-from viscodesign.calibration.estimate import Estimate, Search, estimated, polished
+from viscodesign.calibration.estimate import Estimate, Search, estimated, polished, refined
 from viscodesign.calibration.findings import (
     edge_warnings,
     fitted_numbers,
@@ -111,6 +112,7 @@ class _Fitting:
         self.search = Search(stop, self._tell)
         self.drives = [self._drive(own) for own in self.recordings]
         self.clocks = [True] * len(self.recordings)
+        self.all_effects = False
         self.solving = Solving()
         self.left_out: dict[str, str] = {}
 
@@ -137,7 +139,14 @@ class _Fitting:
     def models(self, solving: Solving) -> list[RunModel]:
         """Models of all recordings, solved so finely."""
         return [
-            RunModel(recording, drive, self.names, solving, clock_is_free=is_free)
+            RunModel(
+                recording,
+                drive,
+                self.names,
+                solving,
+                clock_is_free=is_free,
+                all_effects=self.all_effects,
+            )
             for recording, drive, is_free in zip(
                 self.recordings, self.drives, self.clocks, strict=True
             )
@@ -173,9 +182,27 @@ class _Fitting:
             [np.isfinite(own.measured) for own in models],
         )
         best = estimated(self.search, misfit, self._start(misfit))
-        best = self._with_certain_clocks(best)
+        if best.status != "interrupted":
+            best = self._with_certain_clocks(best)
         best, check = resolved(self.search, best, self.models, self.solving)
+        if not self.search.stop.asked and self._lacks_effects(best):
+            best, check = self._with_all_effects(best)
         return self._told(best, check)
+
+    def _lacks_effects(self, best: Estimate) -> bool:
+        """Whether effects that the spec's numbers do not call for are felt at the fitted ones."""
+        return any(
+            own.lacks_effects(best.misfit.free_values(best.values, k))
+            for k, own in enumerate(best.misfit.models)
+        )
+
+    def _with_all_effects(self, best: Estimate) -> tuple[Estimate, ResolutionCheck]:
+        """The fit again with every effect, from where it was."""
+        self.all_effects, before = True, best.misfit
+        models = self.models(self.solving)
+        misfit = Misfit(models, before.unknowns, before.levels, before.kept)
+        again = refined(self.search, misfit, best.values)
+        return resolved(self.search, again, self.models, self.solving)
 
     def next_experiment(self, found: Fit) -> Experiment | None:
         """The experiment that would tell most beside the recordings."""
@@ -265,7 +292,9 @@ class _Fitting:
                 "something that the data show; the intervals are widened, and may still be too "
                 "narrow"
             )
-        if not check.is_sufficient:
+        if not math.isfinite(check.bias):
+            found.append("how far a finer mesh or tolerance would move numbers is unknown")
+        elif not check.is_sufficient:
             found.append(
                 f"a finer mesh or tolerance would move {check.key or 'numbers'} by about "
                 f"{check.bias:.2g} standard deviations"

@@ -134,6 +134,10 @@ class Misfit:
             found.append(step / (PULL * (1.0 if own.is_log else own.size)))
         return np.array(found)
 
+    def free_values(self, values: np.ndarray, run: int) -> np.ndarray:
+        """(f,) Those of the scene's numbers that matter in a run."""
+        return self._parts(values, run)[0]
+
     def _places(self, run: int) -> list[int]:
         """Unknowns of a run: those of the scene that matter in it, then its own."""
         moving = self.models[run].free_names

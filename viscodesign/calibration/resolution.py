@@ -55,7 +55,13 @@ def first_solving(models: Sequence[RunModel]) -> Solving:
 def resolved(
     search: Search, found: Estimate, models: Models, solving: Solving
 ) -> tuple[Estimate, ResolutionCheck]:
-    """An estimate on a mesh that is fine enough, and how far a finer one would move it."""
+    """An estimate on a mesh that is fine enough, and how far a finer one would move it.
+
+    Once the user asked to stop, neither is looked for.
+    """
+    if search.stop.asked:
+        first = solving.edges_per_section or 1, solving.tolerance or FIRST_TOLERANCE
+        return found, ResolutionCheck(*first, math.inf, "", False)
     for round_ in range(ROUNDS):
         check = _checked(found, models, solving)
         is_last = round_ == ROUNDS - 1 or not math.isfinite(check.bias)

@@ -9,9 +9,14 @@ import numpy as np
 from viscodesign.calibration.driving import RecordedDrive
 from viscodesign.calibration.recorded_columns import Measured
 from viscodesign.calibration.recording import Recording
+from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SpecError
-from viscodesign.exploration.all_effects import with_all_effects
+from viscodesign.exploration.all_effects import (
+    felt_effects,
+    with_all_effects,
+    with_felt_effects,
+)
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
@@ -38,7 +43,8 @@ class RunModel:
 
     Own numbers are those of its inputs; the last one is how late its clock is [s], that of the
     markers where the pressure was measured, else that of all channels. ``clock_is_free``: solved
-    at other times than the rows', so that the clock may run late.
+    at other times than the rows', so that the clock may run late. Unless ``all_effects``, those
+    that the tip does not feel at the spec's numbers are left out, if no free number needs them.
     """
 
     def __init__(
@@ -49,14 +55,19 @@ class RunModel:
         solving: Solving,
         *,
         clock_is_free: bool,
+        all_effects: bool = False,
     ) -> None:
         self.recording, self.drive = recording, drive
         self.channels = (*drive.compared, *recording.of(Measured.PLACE, Measured.VOLUME))
         self.clock_is_free = clock_is_free
         self._times = recording.time - drive.late_s
         self._outputs = [own.output for own in self.channels]
-        scene = with_all_effects(_with_times(drive.scene, self._output_times()))
-        self.function, self.unmoved = _function(scene, free, drive.free, self._outputs, solving)
+        scene = _with_times(drive.scene, self._output_times())
+        found = None if all_effects else _felt(scene, free, drive.free, self._outputs, solving)
+        self.has_all_effects = found is None
+        self.function, self.unmoved = found or _function(
+            with_all_effects(scene), free, drive.free, self._outputs, solving
+        )
         """By the free numbers that matter in this run, then those of its inputs."""
         self.free_names = tuple(name for name in free if name not in self.unmoved)
         self.free_count = len(self.free_names)
@@ -107,6 +118,13 @@ class RunModel:
         every = np.stack([found[name] for name in self._outputs], axis=1)
         slopes = self._since_start(self._at_rows(every, late))
         return np.concatenate([slopes, self._by_clock(values, late)[:, :, None]], axis=2)
+
+    def lacks_effects(self, free: np.ndarray) -> bool:
+        """Whether effects that were left out are felt at these free numbers (f,)."""
+        if self.has_all_effects:
+            return False
+        scene = FreeKeys(self.drive.scene, self.free_names).validated(free.tolist())
+        return not felt_effects(scene) <= self.function.effects
 
     # -- times ----------------------------------------------------------------------
 
@@ -173,6 +191,21 @@ def _function(
             unmoved |= reasons
         else:
             return found, unmoved
+
+
+def _felt(
+    scene: Scene,
+    free: Sequence[str],
+    own: Sequence[str],
+    outputs: Sequence[str],
+    solving: Solving,
+) -> tuple[CompiledFunction, dict[str, str]] | None:
+    """The same with the effects that the tip feels; None where a free number needs others."""
+    try:
+        found, unmoved = _function(with_felt_effects(scene), free, own, outputs, solving)
+    except SpecError:
+        return None
+    return None if unmoved else (found, unmoved)
 
 
 def _spline(times: np.ndarray, every: np.ndarray) -> Callable[..., np.ndarray]:

@@ -7,6 +7,8 @@ to 1.7 times. With all of them, no design lacks one.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.effects.select import select_effects
@@ -18,12 +20,35 @@ from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
 
+FAR_BELOW = 0.01
+"""Part of the accuracy for which effects are chosen that shall lack nothing."""
+
+
 def with_all_effects(scene: Scene) -> Scene:
     """The scene with all effects on that its spec does not turn off and that act on something."""
     selection = select_effects(SceneQuantities(scene))
     if selection.active == selection.everything:
         return scene
-    modes = dict.fromkeys(sorted(selection.everything), "on")
+    return _with(scene, selection.everything)
+
+
+def with_felt_effects(scene: Scene) -> Scene:
+    """The scene with those that a hundredth of its accuracy calls for.
+
+    Others can cost far more than they do: a gas in a short tube rings at some kHz, and steps that
+    follow it are as short.
+    """
+    return _with(scene, felt_effects(scene))
+
+
+def felt_effects(scene: Scene) -> frozenset[str]:
+    """Names of these."""
+    finer = scene.replace({"accuracy": FAR_BELOW * scene.accuracy})
+    return frozenset(select_effects(SceneQuantities(finer)).active)
+
+
+def _with(scene: Scene, names: Iterable[str]) -> Scene:
+    modes = dict.fromkeys(sorted(names), "on")
     choice = EffectsChoice.model_validate({**modes, "others": "off"})
     found: Scene = copied(scene, {"effects": choice})
     return found
