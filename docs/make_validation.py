@@ -12,8 +12,20 @@ from pathlib import Path
 DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS.parent), str(DOCS)]
 
-from arm_validation import ARM_HEAD, PRESSURES, arm_rows  # noqa: E402
-from beam_picture import draw_beam  # noqa: E402
+from arm_validation import (  # noqa: E402
+    ARM_FITTED,
+    ARM_HEAD,
+    CURVE_FROM,
+    MOTION_HEAD,
+    PRESSURES,
+    SEGMENT_PRESSURES,
+    arm_rest_rows,
+    fitted_scenes,
+    motion_rows,
+    recordings,
+)
+from beam_effects import EFFECTS_HEAD, FIT_HEAD, effects_rows, fit_rows  # noqa: E402
+from beam_picture import SHOWN, draw_beam  # noqa: E402
 from beam_validation import (  # noqa: E402
     BEAM_HEAD,
     CREEP_HEAD,
@@ -31,8 +43,10 @@ from beam_validation import (  # noqa: E402
 )
 from make_pages import blocks_of, fill, table  # noqa: E402
 from paper_validation import (  # noqa: E402
+    ASSUMED_HEAD,
     EFFECT_HEAD,
     PAPER_HEAD,
+    assumption_rows,
     effect_rows,
     layout_runs,
     paper_rows,
@@ -48,6 +62,7 @@ def main(arguments: list[str]) -> None:
     runs = layout_runs()
     blocks["paper"] = table(PAPER_HEAD, paper_rows(runs))
     blocks["paper_effects"] = table(EFFECT_HEAD, effect_rows(runs))
+    blocks["paper_assumed"] = table(ASSUMED_HEAD, assumption_rows(runs))
     folder = Path(arguments[0]) if arguments else None
     if folder is not None and not (missing := missing_files(folder)):
         blocks |= beam_blocks(folder / "beam") | arm_block(folder / "arm")
@@ -61,6 +76,7 @@ def missing_files(folder: Path) -> list[Path]:
     """Recordings that are not there."""
     files = [folder / "beam" / f"{name}.csv" for name in PAYLOADS]
     files += [folder / "arm" / f"step_{own}mbar.csv" for own in PRESSURES]
+    files += [folder / "arm" / f"segment_{own}mbar.csv" for own in SEGMENT_PRESSURES]
     return [file for file in files if not file.exists()]
 
 
@@ -69,8 +85,14 @@ def beam_blocks(folder: Path) -> dict[str, str]:
     measured = recorded_swings(folder)
     models = fitted_models(measured)
     runs = [predicted(model, name, measured[name]) for name in PAYLOADS for model in models]
-    draw_beam([own for own in runs if own.model is models[0]], DOCS / "validation" / "beam.png")
+    plain = [own for own in runs if own.model is models[0]]
+    draw_beam(plain, DOCS / "validation" / "beam.png")
+    numbers, told = fit_rows(folder)
     return {
+        "beam_fit": f"{table(FIT_HEAD, numbers)}\n\n{told}",
+        "beam_effects": table(
+            EFFECTS_HEAD, effects_rows([own for own in plain if own.name in SHOWN])
+        ),
         "beam_numbers": table(NUMBERS_HEAD, [_numbers(model) for model in models]),
         "beam": table(BEAM_HEAD, beam_rows(runs)),
         "beam_rest": table(REST_HEAD, rest_rows(measured)),
@@ -94,7 +116,7 @@ def _targets(model: FittedModel, runs: list[BeamRun]) -> tuple[str, ...]:
     """How many recordings that were not fitted meet each target."""
     own = [run for run in runs if run.model is model and run.name != FITTED]
     pairs = {
-        "place of rest": [(run.measured.static, run.predicted.static) for run in own],
+        "place of rest": [(run.measured.static, run.static) for run in own],
         "first swing": [(run.measured.lowest, run.predicted.lowest) for run in own],
         "period": [(run.measured.period, run.predicted.period) for run in own],
     }
@@ -107,9 +129,16 @@ def _targets(model: FittedModel, runs: list[BeamRun]) -> tuple[str, ...]:
 
 
 def arm_block(folder: Path) -> dict[str, str]:
-    """The arm's table."""
-    rows, angle = arm_rows(folder)
-    return {"arm": f"Fitted: {angle:.3g} rad per p/E.\n\n{table(ARM_HEAD, rows)}"}
+    """The arm's tables: by a linear law, by a measured curve, and on the way."""
+    measured = recordings(folder)
+    steps = [own for own in measured if own.name.startswith("step")]
+    angle, linear, curved = fitted_scenes(steps)
+    rows = arm_rest_rows(measured, linear, ARM_FITTED, "fitted")
+    return {
+        "arm": f"Fitted: {angle:.3g} rad per p/E.\n\n{table(ARM_HEAD, rows)}",
+        "arm_curve": table(ARM_HEAD, arm_rest_rows(measured, curved, CURVE_FROM, "in the curve")),
+        "arm_motion": table(MOTION_HEAD, motion_rows(measured, curved)),
+    }
 
 
 if __name__ == "__main__":

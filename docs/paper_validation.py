@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -39,10 +40,10 @@ def layout_runs() -> list[LayoutRuns]:
     ]
 
 
-def _run(name: str, without: str = "") -> Trajectory:
-    scene = load(CONFIGS / f"{name}.yaml", {f"effects.{without}": "off"} if without else {})
-    run = simulate(scene, verify=not without)
-    if run.status != "complete" and not without:
+def _run(name: str, changes: Mapping[str, object] | None = None) -> Trajectory:
+    """A bundled scene, verified where nothing is changed of it."""
+    run = simulate(load(CONFIGS / f"{name}.yaml", changes or {}), verify=not changes)
+    if run.status != "complete" and not changes:
         raise RuntimeError(f"{name}: {run.failure}")
     return run
 
@@ -79,11 +80,48 @@ def effect_rows(runs: list[LayoutRuns]) -> list[tuple[str, ...]]:
     for name in _added(runs):
         cells = []
         for own in runs:
-            run = _run(f"leg_16_{own.layout}_air_auto", without=name)
-            is_whole = run.status == "complete"
-            cells.append(f"{1e3 * _value(run, DEFLECTION):.1f} mm" if is_whole else "no solution")
+            run = _run(f"leg_16_{own.layout}_air_auto", {f"effects.{name}": "off"})
+            cells.append(_cell(run, DEFLECTION))
         rows.append((f"without `{name}`", *cells))
     return rows
+
+
+def _cell(run: Trajectory, what: str) -> str:
+    return f"{1e3 * _value(run, what):.1f} mm" if run.status == "complete" else "no solution"
+
+
+def _amplitude(factor: float) -> dict[str, object]:
+    """The input's pressures, larger by a factor."""
+    own = load(CONFIGS / "leg_16_straight_air.yaml").model_dump(by_alias=True)["input"]
+    return {f"input.{key}": factor * float(own[key]) for key in ("start", "drop")}
+
+
+ASSUMED = {
+    "amplitude -5 %": _amplitude(0.95),
+    "amplitude +5 %": _amplitude(1.05),
+    "collapse fraction 0.05": {"bellows.collapse_fraction": 0.05},
+    "collapse fraction 0.2": {"bellows.collapse_fraction": 0.2},
+}
+"""Changes of what the paper does not print, or what was reconstructed."""
+
+
+def assumption_rows(runs: list[LayoutRuns]) -> list[tuple[str, ...]]:
+    """How far both models' quantities depend on what is assumed of the leg."""
+    rows = []
+    for own in runs:
+        for model, base, tail in (
+            ("as published", own.published, ""),
+            ("`effects: auto`", own.called_for, "_auto"),
+        ):
+            name = f"leg_16_{own.layout}_air{tail}"
+            changed = [_run(name, changes) for changes in ASSUMED.values()]
+            for what in (EXTENSION, DEFLECTION):
+                cells = [_cell(run, what) for run in (base, *changed)]
+                rows.append((f"{what}, {own.layout}", model, *cells))
+    return rows
+
+
+ASSUMED_HEAD = ("quantity", "model", "as bundled", *ASSUMED)
 
 
 def _added(runs: list[LayoutRuns]) -> list[str]:

@@ -24,7 +24,6 @@ from viscodesign.lazy_names import lazy_names
 if TYPE_CHECKING:
     from viscodesign.calibration.fit import fit as fit
     from viscodesign.checks.check import Check as Check
-    from viscodesign.checks.check import check as check
     from viscodesign.checks.check_several import check_several as check_several
     from viscodesign.checks.check_several import classify_several as classify_several
     from viscodesign.checks.classify import classify as classify
@@ -34,6 +33,7 @@ if TYPE_CHECKING:
     from viscodesign.compiled.function import compile as compile
     from viscodesign.errors import SpecError as SpecError
     from viscodesign.errors import ViscodesignError as ViscodesignError
+    from viscodesign.exploration.check import check as check
     from viscodesign.exploration.sensitivity import sensitivity as sensitivity
     from viscodesign.exploration.simulate import simulate as simulate
     from viscodesign.exploration.simulate_several import simulate_several as simulate_several
@@ -101,7 +101,7 @@ _HOMES = {
     "accuracy": ".studies.accuracy",
     "SeveralRuns": ".results.several_runs",
     "SeveralScene": ".scene.several_scene",
-    "check": ".checks.check",
+    "check": ".exploration.check",
     "check_several": ".checks.check_several",
     "classify_several": ".checks.check_several",
     "load_several": ".loading",

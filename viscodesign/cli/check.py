@@ -46,10 +46,6 @@ def command(
 
             return checked_several(scene, lines=not (json or quiet))
         found = check(scene)
-        if scene.uncertainty is not None:
-            from viscodesign.exploration.coefficient_band import refuse_uncertainty
-
-            refuse_uncertainty(scene)
         return SpecResult(found.document(), [] if json or quiet else check_lines(found))
 
     def keep(document: dict[str, Any]) -> None:

@@ -20,6 +20,8 @@ from viscodesign.storage.lru_cache import ONE_AT_A_TIME
 
 MAX_BRANCHES = 16
 """Formulas that are kept for values on several sides of a decision."""
+NOTHING_DEPENDS = "cannot be free: nothing in this scene's equations depends on it"
+"""How what is said of such numbers begins."""
 
 
 class SceneNumbers:
@@ -185,4 +187,4 @@ def _unused_fault(name: str, selection: Selection) -> Fault:
         if effect.name not in selection.active and name in effect.keys
     ]
     hint = f"; effects that would are not included: {', '.join(readers)}" if readers else ""
-    return Fault(f"cannot be free: nothing in this scene's equations depends on it{hint}", name)
+    return Fault(f"{NOTHING_DEPENDS}{hint}", name)

@@ -19,7 +19,6 @@ from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
-
 FAR_BELOW = 0.01
 """Part of the accuracy for which effects are chosen that shall lack nothing."""
 

@@ -7,6 +7,7 @@ import time as clock
 import numpy as np
 
 from viscodesign.compiled.outputs import TIP_COLUMNS
+from viscodesign.compiled.scene_numbers import NOTHING_DEPENDS
 from viscodesign.effects.effects_key import scene_key
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
@@ -17,6 +18,9 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
 
+WIDEST = 0.43
+"""Half-width, in parts of the length, up to which bands were found to hold
+(`benchmarks/results/uncertainty_coverage.md`)."""
 Stated = dict[str, StatedDeviation]
 _SLOPES: LruCache[tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]] = LruCache(4)
 """Those of the latest scenes."""
@@ -39,6 +43,11 @@ def coefficient_band(scene: Scene, run: Trajectory) -> CoefficientBand | Notice 
     try:
         slopes, numbers, left_out = _slopes(_pinned(scene, run), stated)
     except (SolveError, SpecError) as error:
+        if isinstance(error, SpecError) and (still := _unmoved(error, stated)):
+            zero = np.zeros((len(run.time), 3))
+            return CoefficientBand(
+                zero, np.array(run.time), (), still, clock.perf_counter() - began
+            )
         return Notice("no_band", f"the uncertainty of the tip is unknown: {error}", "uncertainty")
     if slopes.shape[0] != len(run.time) or not np.all(np.isfinite(slopes)):
         return Notice("no_band", "the motion has no derivatives by its numbers", "uncertainty")
@@ -52,6 +61,26 @@ def coefficient_band(scene: Scene, run: Trajectory) -> CoefficientBand | Notice 
         left_out=left_out,
         wall_s=clock.perf_counter() - began,
     )
+
+
+def _unmoved(error: SpecError, stated: Stated) -> LeftOut:
+    """All that was stated and why it moves nothing, where the equations have none of it."""
+    told = tuple((own.key, own.message) for own in error.faults)
+    unmoved = all(why.startswith(NOTHING_DEPENDS) for _, why in told)
+    return told if unmoved and {key for key, _ in told} == set(stated) else ()
+
+
+def width_notices(band: CoefficientBand, run: Trajectory) -> tuple[Notice, ...]:
+    """A warning of a band that is wider than such bands were found to hold."""
+    if band.half_width_m <= WIDEST * run.length:
+        return ()
+    message = (
+        f"the band of the coefficients is +-{band.half_width_m:.3g} m wide, "
+        f"{100 * band.half_width_m / run.length:.0f} % of the length: it is of the first order, and "
+        f"was found to hold up to {100 * WIDEST:.0f} %; most is by {band.numbers[0].key}: measure "
+        "it, or state less"
+    )
+    return (Notice("wide_band", message, f"uncertainty.{band.numbers[0].key}"),)
 
 
 def _pinned(scene: Scene, run: Trajectory) -> Scene:

@@ -64,10 +64,12 @@ def simulate(
 
 def _with_band(scene: Scene, run: Trajectory) -> Trajectory:
     """The run with the band of its coefficients, or a warning that says why it has none."""
-    from viscodesign.exploration.coefficient_band import coefficient_band
+    from viscodesign.exploration.coefficient_band import coefficient_band, width_notices
 
     found = coefficient_band(scene, run)
     if isinstance(found, Notice):
         return replace(run, warnings=(*run.warnings, found))
+    if found is not None:
+        run = replace(run, warnings=(*run.warnings, *width_notices(found, run)))
     spent = run.cost.verify_s + (found.wall_s if found else 0.0)
     return replace(run.with_time(verify_s=spent), uncertainty=found)

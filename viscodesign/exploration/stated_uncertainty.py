@@ -11,14 +11,15 @@ from pydantic_core import PydanticCustomError
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.free_number import FreeNumber
 from viscodesign.errors import Fault, SpecError
-from viscodesign.exploration.tolerances import deviations
+from viscodesign.exploration.tolerances import SpreadWords, deviations
 from viscodesign.exploration.typical_uncertainties import typical_of
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.uncertainty import TYPICAL
+from viscodesign.scene.uncertainty import FORM, TYPICAL
 from viscodesign.units import QuantityKind
 
 SECTION = "uncertainty"
+WORDS = SpreadWords("standard deviation", FORM)
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ def stated_deviations(scene: Scene) -> dict[str, StatedDeviation]:
     for key, spread in stated.spreads.items():
         try:
             own = _of_range(scene, key, spread) if isinstance(spread, tuple) else (
-                deviations(scene, {key: spread})
+                deviations(scene, {key: spread}, WORDS)
             )  # fmt: skip
         except SpecError as error:
             faults += [replace(f, key=f"{SECTION}.{f.key or key}") for f in error.faults]
@@ -70,9 +71,19 @@ def _typical(scene: Scene, stated: dict[str, StatedDeviation]) -> dict[str, Stat
 
 def _of_range(scene: Scene, key: str, ends: tuple[Any, ...]) -> dict[str, float]:
     """Root mean square distance from the value, of numbers spread evenly between two ends."""
-    return {
-        n.name: _rms(n, *(_end(n, end) for end in ends)) for n in FreeKeys(scene, [key]).numbers
-    }
+    return {n.name: _rms(n, *_ends(scene, n, ends)) for n in FreeKeys(scene, [key]).numbers}
+
+
+def _ends(scene: Scene, number: FreeNumber, given: tuple[Any, ...]) -> list[float]:
+    """Both ends [SI], each a value that the spec could have."""
+    keys, found = FreeKeys(scene, [number.name]), [_end(number, end) for end in given]
+    for end in found:
+        try:
+            keys.validated([end])
+        except SpecError as error:
+            message = f"a range has values that are possible: {error.faults[0].message}"
+            raise SpecError([Fault(message, number.name)]) from None
+    return found
 
 
 def _end(number: FreeNumber, given: Any) -> float:

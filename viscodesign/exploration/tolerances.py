@@ -11,6 +11,7 @@ from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.free_number import FreeNumber
 from viscodesign.errors import SpecError, described
 from viscodesign.exploration.key_values import choices_of, refused
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 from viscodesign.units import QuantityKind
 from viscodesign.values.grammar import GrammarError, parse_value_text
@@ -18,42 +19,59 @@ from viscodesign.values.grammar import GrammarError, parse_value_text
 FORM = "write KEY=5% of its value, or one with its unit, such as KEY=0.01 mm"
 
 
+@dataclass(frozen=True)
+class SpreadWords:
+    """What a standard deviation is called where it is given, and how it is written there."""
+
+    noun: str = "tolerance"
+    form: str = FORM
+
+
+TOLERANCE = SpreadWords()
+
+
 def deviations(
-    scene: Scene, tolerances: Mapping[str, Any] | Sequence[str] | str
+    scene: Scene,
+    tolerances: Mapping[str, Any] | Sequence[str] | str,
+    words: SpreadWords = TOLERANCE,
 ) -> dict[str, float]:
     """Standard deviations [SI] by the keys of free numbers.
 
     A tolerance of a key that stands for several numbers is that of each, independently. A number
     without a unit, from Python, is a part of the value: 0.05 for 5 %. Raises `SpecError`.
     """
-    given = choices_of(tolerances, FORM)
+    given = choices_of(tolerances, words.form)
     if not given:
-        raise SpecError.plain(f"no tolerance is given; {FORM}")
+        raise SpecError.plain(f"no {words.noun} is given; {words.form}")
     numbers = {key: FreeKeys(scene, [key]).numbers for key in given}
     FreeKeys(scene, list(given))  # refuses keys that overlap
-    return {number.name: _deviation(number, given[key]) for key in given for number in numbers[key]}
+    return {
+        number.name: _deviation(number, given[key], words)
+        for key in given
+        for number in numbers[key]
+    }
 
 
-def _deviation(number: FreeNumber, given: Any) -> float:
-    unit = _unit_of(number.name, given)
+def _deviation(number: FreeNumber, given: Any, words: SpreadWords) -> float:
+    unit = _unit_of(number.name, given, words)
     is_part = unit in ("", "%")
-    kind = QuantityKind("tolerance", "1" if is_part else number.unit, "5 %")
+    kind = QuantityKind(words.noun, "1" if is_part else number.unit, "5 %")
     try:
         value = kind.parse(given)
     except PydanticCustomError as error:
-        raise refused(number.name, f"{error.message()}; {FORM}") from None
+        raise refused(number.name, f"{error.message()}; {words.form}") from None
     if is_part and not number.value:
-        message = f"is 0, of which {given} is nothing; give its tolerance with a unit"
+        message = f"is 0, of which {given} is nothing; give its {words.noun} with a unit"
         raise refused(number.name, message)
     found = value * abs(number.value) if is_part else value
     if not found > 0.0 or (is_part and value >= 1.0):
         raise refused(
-            number.name, f"a tolerance must be above 0 and below 100 %; got {described(given)}"
+            number.name, f"a {words.noun} must be above 0 and below 100 %; got {described(given)}"
         )
     return found
 
 
-def _unit_of(key: str, given: Any) -> str:
+def _unit_of(key: str, given: Any, words: SpreadWords) -> str:
     """The unit of a text; empty for a number, which is a part."""
     if not isinstance(given, str):
         return ""
@@ -62,5 +80,5 @@ def _unit_of(key: str, given: Any) -> str:
     except GrammarError:
         return "%"  # reading it says what is wrong
     if not unit:
-        raise refused(key, f"the tolerance '{given}' has no unit; {FORM}")
+        raise refused(key, f"the {words.noun} '{given}' has no unit; {words.form}")
     return unit

@@ -17,6 +17,8 @@ from viscodesign.storage.cached_property import cached_property
 COVERAGE = 0.95
 COVERAGE_FACTOR = 1.959963984540054
 """Half-width of the middle 95 % of a normal distribution, in standard deviations."""
+STILL_M = 1e-12
+"""Half-width below which a band has none [m]."""
 BAND_COLUMNS = ("time_s", "tip_x_sd_m", "tip_z_sd_m", "tip_xz_covariance_m2")
 """Columns of `uncertainty.csv`."""
 
@@ -76,6 +78,11 @@ class CoefficientBand:
     def half_width_m(self) -> float:
         """Half of the 95 % interval at that time, in the direction that is most uncertain [m]."""
         return COVERAGE_FACTOR * float(self.axes[0][self.worst_row, 1])
+
+    @property
+    def is_still(self) -> bool:
+        """Whether no number moves the tip."""
+        return self.half_width_m < STILL_M
 
     @property
     def is_assumed(self) -> bool:

@@ -341,7 +341,7 @@ class Trajectory(MotionArrays):
     def summary(self) -> dict[str, Any]:
         """The run without its arrays, ready for JSON (numbers that are not finite as None).
 
-        ``proof`` and ``uncertainty`` are there where they were asked for.
+        ``proof`` is there where it was asked for; ``uncertainty`` is None where there is no band.
         """
         document = {
             "name": self.name,
@@ -361,7 +361,7 @@ class Trajectory(MotionArrays):
             "effects": documents(self.effects),
             **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),
-            **({"uncertainty": self.uncertainty.document()} if self.uncertainty else {}),
+            "uncertainty": self.uncertainty.document() if self.uncertainty else None,
             "cost": self.cost.document(),
             "invariants": asdict(self.invariants),
             "ladder": documents(self.ladder),

@@ -37,8 +37,11 @@ class Uncertainty(SpecPart):
             return given
         if given == TYPICAL:
             return {"spreads": {}, "others": TYPICAL}
+        if given in (NONE, "off") or given is False:
+            return {"spreads": {}, "others": NONE}
         if not isinstance(given, dict):
-            raise invalid(f"must be {TYPICAL} or a mapping of key: 5 %; got {described(given)}")
+            choices = f"{TYPICAL}, {NONE} or a mapping of key: 5 %"
+            raise invalid(f"must be {choices}; got {described(given)}")
         flat = dict(_flat(given))
         raise_faults(_faults(flat))
         others = flat.pop(OTHERS, NONE)

@@ -12,10 +12,11 @@ from scipy.stats import norm, qmc
 
 from tests.scenes import LEG_EI, LEG_LENGTH, STILL, leg
 from viscodesign import RunInterruptedError, Trajectory, check, load, simulate
-from viscodesign.cli.texts.run_text import summary_lines
+from viscodesign.cli.texts.run_text import both_errors, summary_lines
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SpecError
 from viscodesign.exploration import coefficient_band as band_module
+from viscodesign.exploration.stated_uncertainty import stated_deviations
 from viscodesign.exploration.typical_uncertainties import TYPICAL
 from viscodesign.results.coefficient_band import COVERAGE_FACTOR, CoefficientBand
 from viscodesign.scene.reading.write import resolved_yaml
@@ -162,16 +163,20 @@ def test_every_typical_number_is_a_key_of_some_scene() -> None:
         ("{network.tube_radius: [0.4 mm, 0.3 mm]}", "a range ascends"),
         ("{run.duration: 5 %}", "uncertainty.run.duration: "),
         ("{others: some}", "must be one of typical, none"),
-        ("5 %", "must be typical or a mapping"),
+        ("5 %", "must be typical, none or a mapping"),
+        ("{network.tube_radius: 5}", "write a standard deviation, such as 5 %"),
+        ("{network.tube_radius: 2 kg}", "expected a standard deviation"),
+        ("{network.tube_radius: [-1 mm, 0.5 mm]}", "a range has values that are possible"),
     ],
 )
 def test_what_is_no_uncertainty_is_refused_before_anything_is_solved(
     words: str, message: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("viscodesign.exploration.simulate.simulate_once", lambda *_, **__: 1 / 0)
-    with pytest.raises(SpecError) as caught:
-        simulate(leg(f"uncertainty={words}"))
-    assert message in str(caught.value)
+    for takes in (simulate, check):
+        with pytest.raises(SpecError) as caught:
+            takes(leg(f"uncertainty={words}"))
+        assert message in str(caught.value)
 
 
 def test_it_may_be_written_nested_and_is_written_resolved() -> None:
@@ -254,3 +259,38 @@ def test_both_errors_are_told_in_one_line(swinging: Trajectory, tmp_path: Path) 
 
 def test_a_check_takes_it_as_it_is() -> None:
     assert check(leg("uncertainty=typical")).name
+
+
+@pytest.mark.parametrize("word", ["none", "off"])
+def test_none_states_nothing(word: str) -> None:
+    scene = leg(*PULLED, f"uncertainty={word}")
+    assert stated_deviations(scene) == {}
+    assert load(resolved_yaml(scene)).uncertainty == scene.uncertainty
+    assert simulate(scene, verify=False).uncertainty is None
+
+
+@pytest.mark.parametrize(
+    "stated", ["{bellows.collapse_fraction: 50 %}", "{ambient_pressure: 1 kPa}"]
+)
+def test_what_moves_nothing_gives_a_band_without_width(stated: str) -> None:
+    """Whether the equations have the number, or have it without effect."""
+    run = run_of(*PULLED, f"uncertainty={stated}")
+    assert run.uncertainty is not None
+    assert run.uncertainty.half_width_m == 0.0
+    assert "from the coefficients none: no stated number moves the tip" in both_errors(run)
+
+
+def test_a_band_that_was_left_out_is_not_advised_and_is_null_in_the_summary() -> None:
+    scene = leg(*PULLED, "uncertainty={actuator.bending_factor: 4 %}")
+    run = simulate(scene, verify=False, uncertainty=False)
+    assert "from the coefficients left out" in both_errors(run)
+    told = run.summary()
+    assert "uncertainty" in told
+    assert told["uncertainty"] is None
+
+
+def test_a_band_wider_than_it_was_tested_is_warned_of() -> None:
+    run = run_of(*PULLED, "uncertainty={actuator.length: [0.03 m, 40 m]}")
+    (told,) = (w for w in run.warnings if w.code == "wide_band")
+    assert "of the first order" in told.message
+    assert not any(w.code == "wide_band" for w in run_of(*PULLED, "uncertainty=typical").warnings)

@@ -40,6 +40,7 @@ MERGE_KEY = "<<"
 MERGES_MAPPINGS = (
     "'<<' merges mappings; expected an alias of one, such as '*base', or a list of them"
 )
+QUOTED_KEYS = '; within { } a key with [ ] has quotes: {"network.tubes[*].radius": 2 %}'
 
 
 @dataclass
@@ -107,7 +108,9 @@ def parse_value(text: str, source: str) -> Any:
     except UnicodeEncodeError as error:  # bytes of a command line that are not text
         raise SpecError([Fault("not UTF-8 text", file=source)]) from error
     except SpecError as error:
-        raise SpecError([replace(fault, line=None) for fault in error.faults]) from error
+        hint = QUOTED_KEYS if "{" in text and "[*]" in text else ""
+        faults = [replace(own, line=None, message=own.message + hint) for own in error.faults]
+        raise SpecError(faults) from error
     if document.faults:
         raise SpecError([replace(fault, line=None) for fault in document.faults])
     return data
