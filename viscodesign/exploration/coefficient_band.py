@@ -76,9 +76,9 @@ def width_notices(band: CoefficientBand, run: Trajectory) -> tuple[Notice, ...]:
         return ()
     message = (
         f"the band of the coefficients is +-{band.half_width_m:.3g} m wide, "
-        f"{100 * band.half_width_m / run.length:.0f} % of the length: it is of the first order, and "
-        f"was found to hold up to {100 * WIDEST:.0f} %; most is by {band.numbers[0].key}: measure "
-        "it, or state less"
+        f"{100 * band.half_width_m / run.length:.0f} % of the length: it is of the first order, "
+        f"and was found to hold up to {100 * WIDEST:.0f} %; most is by {band.numbers[0].key}: "
+        "measure it, or state less"
     )
     return (Notice("wide_band", message, f"uncertainty.{band.numbers[0].key}"),)
 

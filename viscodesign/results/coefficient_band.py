@@ -19,6 +19,8 @@ COVERAGE_FACTOR = 1.959963984540054
 """Half-width of the middle 95 % of a normal distribution, in standard deviations."""
 STILL_M = 1e-12
 """Half-width below which a band has none [m]."""
+LEAST_ASPECT = 1e-3
+"""Width over length below which an ellipse is drawn as if it had that width."""
 BAND_COLUMNS = ("time_s", "tip_x_sd_m", "tip_z_sd_m", "tip_xz_covariance_m2")
 """Columns of `uncertainty.csv`."""
 
@@ -122,9 +124,28 @@ class CoefficientBand:
         return dict(json_ready(document))
 
 
-def ellipses_about(
+def swept_ellipses(
     tip: np.ndarray, band: CoefficientBand, most: int, points: int = 48
 ) -> np.ndarray:
-    """(n, points, 2) The 95 % ellipses about a tip (T, 2) [m], at as many as ``most`` times."""
-    rows = np.unique(np.linspace(0, len(band.time) - 1, most).round().astype(int))
-    return np.array([tip[row] + band.ellipse(row, points) for row in rows])
+    """(n, points, 2) What 95 % ellipses sweep about a tip (T, 2) [m], in as many as ``most`` parts.
+
+    Each part is the convex hull of two that follow each other: single ones would leave gaps where
+    the tip is fast. A corner is that of both that lies farther in one direction; directions are
+    spread such that corners are even on the mean ellipse.
+    """
+    rows = np.unique(np.linspace(0, len(band.time) - 1, most + 1).round().astype(int))
+    xx, zz, xz = band.covariance[rows].T
+    spread = np.stack([xx, xz, xz, zz], axis=1).reshape(-1, 2, 2)
+    pairs = np.stack([spread[:-1], spread[1:]]) if len(rows) > 1 else np.stack([spread, spread])
+    ends = np.stack([tip[rows[:-1]], tip[rows[1:]]]) if len(rows) > 1 else tip[None, rows][[0, 0]]
+    sizes, axes = np.linalg.eigh(pairs.mean(axis=0))
+    sizes = np.sqrt(np.maximum(sizes, LEAST_ASPECT**2 * sizes[:, 1:] + STILL_M**2))
+    angle = np.linspace(0.0, 2 * math.pi, points, endpoint=False)
+    circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    normal = np.einsum("nij,nj,pj->npi", axes, 1 / sizes, circle)
+    pull = np.einsum("enij,npj->enpi", pairs, normal)
+    length = np.sqrt(np.maximum(np.einsum("enpi,npi->enp", pull, normal), 0.0))
+    offset = pull / np.where(length > 0.0, length, 1.0)[..., None]
+    corners = ends[:, :, None] + COVERAGE_FACTOR * offset
+    reach = np.einsum("enpi,npi->enp", corners, normal)
+    return np.where((reach[0] >= reach[1])[..., None], corners[0], corners[1])

@@ -18,7 +18,7 @@ from viscodesign.errors import SpecError
 from viscodesign.exploration import coefficient_band as band_module
 from viscodesign.exploration.stated_uncertainty import stated_deviations
 from viscodesign.exploration.typical_uncertainties import TYPICAL
-from viscodesign.results.coefficient_band import COVERAGE_FACTOR, CoefficientBand
+from viscodesign.results.coefficient_band import COVERAGE_FACTOR, CoefficientBand, swept_ellipses
 from viscodesign.scene.reading.write import resolved_yaml
 
 FORCE = 1e-3
@@ -100,6 +100,20 @@ def test_the_band_is_that_of_its_widest_direction(swinging: Trajectory) -> None:
     assert band.half_width_m == pytest.approx(COVERAGE_FACTOR * np.sqrt(every.max()), rel=1e-4)
     ellipse = band.ellipse(band.worst_row)
     assert np.hypot(*ellipse.T).max() == pytest.approx(band.half_width_m, rel=1e-2)
+
+
+def test_swept_ellipses_hold_both_ends_and_what_is_between() -> None:
+    from matplotlib.path import Path as Outline
+
+    tip = np.array([[0.0, 0.0], [3.0, 1.0], [3.0, 2.0]])
+    covariance = np.array([[1e-2, 4e-2, 1e-2], [2e-2, 1e-2, -1e-2], [0.0, 1e-2, 0.0]])
+    band = CoefficientBand(covariance, np.arange(3.0), ())
+    parts = swept_ellipses(tip, band, most=9)
+    assert len(parts) == 2
+    for k, part in enumerate(parts):
+        outline, middle = Outline(part), tip[k : k + 2].mean(axis=0)
+        ends = [tip[j] + 0.98 * band.ellipse(j) for j in (k, k + 1)]
+        assert outline.contains_points(np.concatenate([*ends, [middle]]), radius=1e-6).all()
 
 
 def test_the_band_holds_as_many_actuators_as_it_says() -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.collections import PolyCollection
 
-from viscodesign.results.coefficient_band import COVERAGE_FACTOR, CoefficientBand, ellipses_about
+from viscodesign.results.coefficient_band import COVERAGE_FACTOR, CoefficientBand, swept_ellipses
 from viscodesign.results.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -31,12 +31,12 @@ def corners_about(tip: np.ndarray, band: CoefficientBand | None) -> np.ndarray:
 
 
 def draw_band(axes: Axes, trajectory: Trajectory) -> None:
-    """Draw 95 % ellipses [mm] about the tip at many times; nothing where none are known."""
+    """Draw what 95 % ellipses [mm] about the tip sweep; nothing where none are known."""
     if trajectory.uncertainty is not None:
         draw_ellipses(axes, trajectory.tip[:, :2], trajectory.uncertainty)
 
 
 def draw_ellipses(axes: Axes, tip: np.ndarray, band: CoefficientBand) -> None:
-    """Draw 95 % ellipses [mm] about a tip (T, 2) [m] at many times."""
-    around = [1e3 * own for own in ellipses_about(tip, band, MOST_ELLIPSES)]
+    """Draw what 95 % ellipses [mm] about a tip (T, 2) [m] sweep."""
+    around = [1e3 * own for own in swept_ellipses(tip, band, MOST_ELLIPSES)]
     axes.add_collection(PolyCollection(around, facecolors=BAND, edgecolors=BAND, zorder=2))

@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign.report.page.packed_arrays import packed
 from viscodesign.report.page.self_contained import self_contained, write_html
 from viscodesign.report.page.shown_rows import MOST_ROWS
-from viscodesign.results.coefficient_band import ellipses_about
+from viscodesign.results.coefficient_band import swept_ellipses
 from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
 
 TEMPLATE = "compare.html"
@@ -51,7 +51,7 @@ def _band(motion: ComparedMotion) -> dict[str, Any] | None:
     """Ellipses, all points of one after the other, and how many points one has."""
     if motion.band is None:
         return None
-    around = ellipses_about(motion.tip, motion.band, MOST_ELLIPSES, ELLIPSE_POINTS)
+    around = swept_ellipses(motion.tip, motion.band, MOST_ELLIPSES, ELLIPSE_POINTS)
     return {"corners": packed(around.reshape(-1, 2), "f8"), "points": ELLIPSE_POINTS}
 
 
