@@ -118,10 +118,10 @@ random from the stated deviations; positive numbers known to no better than a fi
 logarithm. The band is of the first order in the deviations, so that it holds less where it is wide.
 Half-widths are in mm, all else in %. *First {first}* and *all*: actuators whose tip is within the
 printed half-width, at its time and in its direction; chance makes +-2.2 % of a hundred, +-1.1 % of
-all. *All times*: tips of all times, in x and in z. *All the way*: actuators that are within the
+all. *All times*: tips of all times, in x and in z. *Whole way*: actuators that are within the
 band of x and of z at every time, which the band does not promise.
 
-| scene | numbers | half-width | of length | first {first} | all | all times | all the way | no run |
+| scene | numbers | half-width | of length | first {first} | all | all times | whole way | no run |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- |
 """
 

@@ -67,7 +67,8 @@ def _recorded(file: Path, pressure: int, markers: slice) -> Recorded:
     moved = np.linalg.norm(tip - tip[:STILL_ROWS].mean(axis=0), axis=1)
     end = time[np.flatnonzero(moved > HELD * moved.max())[-1]] - 2 * LAST / 10
     rest = float(np.median(moved[(time > end - LAST) & (time <= end)]))
-    begin = time[np.flatnonzero(moved > BEGUN * rest)[0] - 1]
+    half = np.flatnonzero(moved > rest / 2)[0]
+    begin = time[np.flatnonzero(moved[:half] < BEGUN * rest)[-1]]
     return Recorded(file.stem, pressure, time - begin, moved, rest)
 
 

@@ -148,4 +148,4 @@ def swept_ellipses(
     offset = pull / np.where(length > 0.0, length, 1.0)[..., None]
     corners = ends[:, :, None] + COVERAGE_FACTOR * offset
     reach = np.einsum("enpi,npi->enp", corners, normal)
-    return np.where((reach[0] >= reach[1])[..., None], corners[0], corners[1])
+    return np.asarray(np.where((reach[0] >= reach[1])[..., None], corners[0], corners[1]))
