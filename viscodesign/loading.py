@@ -62,6 +62,14 @@ def load_any(source: SpecSource, overrides: Overrides = ()) -> Scene | RobotScen
     return read(spec, overrides, known_effects())
 
 
+def load_pumped(source: SpecSource, overrides: Overrides = ()) -> Scene:
+    """What a pump feeds: one actuator, or several as one scene. Arguments as of `load`."""
+    spec = read_spec(source)
+    if is_several(spec):
+        return several_of(spec, overrides, known_effects()).pumped
+    return scene_of(spec, overrides, known_effects())
+
+
 def replaced(scene: Scene, changes: Mapping[str, Any]) -> Scene:
     """A scene with other values of some keys, checked like a loaded one."""
     folder = Path(scene.source.file).parent

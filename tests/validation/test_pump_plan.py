@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 from tests.scenes import CONFIGS, leg
-from viscodesign import PumpPlan, Scene, plan, simulate
+from viscodesign import PumpPlan, Scene, load, plan, simulate
+from viscodesign.loading import load_pumped
 from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.planning.feed_line import feed_line_at
@@ -292,3 +294,30 @@ def test_the_live_actuator_starts_in_equilibrium_at_its_plungers(feeds: int) -> 
 def test_the_bundled_pump_scenes_exist() -> None:
     assert (CONFIGS / "leg_16_pump.yaml").exists()
     assert (CONFIGS / "leg_16_pump_published.yaml").exists()
+
+
+@pytest.mark.parametrize("effects", ["pressure_distribution", "gas_compressibility"])
+def test_three_actuators_are_planned_as_three_that_are_fed_alike(effects: str) -> None:
+    """Against `pump.feeds`, which knows of them that they are equal, and solves one."""
+    spec = yaml.safe_load((CONFIGS / "leg_16_pump.yaml").read_text())
+    spec |= {
+        "input": {"kind": "sine", "amplitude": "4 kPa", "frequency": "1 Hz"},
+        "run": {"duration": "1 s"},
+        "effects": {effects: "on", "pressure_distribution": "on", "others": "off"},
+    }
+    spec["bellows"]["count"] = COUNT
+    own = {key: spec.pop(key) for key in ("actuator", "bellows", "network")}
+    one = spec | own | {"pump": spec["pump"] | {"feeds": 3}}
+    legs = {"a": own, "b": {"like": "a"}, "c": {"like": "a"}}
+    three = spec | {"actuators": legs, "inputs": {"main": spec["input"]}}
+    del three["input"]
+    found, expected = plan(load_pumped(three)), plan(load(one))
+    # Both are as accurate as their solutions, whose steps differ.
+    for of in ("given", "position"):
+        this, other = (np.asarray(getattr(each.wanted, of)) for each in (found, expected))
+        assert this == pytest.approx(other, abs=1e-4 * float(np.ptp(other)))
+    names, values = plan_columns(found)
+    for actuator in legs:
+        tip = values[:, names.index(f"wanted_{actuator}_tip_x_m")]
+        assert tip == pytest.approx(expected.wanted_run.tip[:, 0], abs=1e-5)
+    assert found.deviation_m == pytest.approx(expected.deviation_m, abs=1e-5)

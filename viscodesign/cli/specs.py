@@ -31,6 +31,13 @@ def read_scene(spec: Path, overrides: Sequence[str] | None) -> Scene:
     return load(_source(spec), overrides or ())
 
 
+def read_pumped(spec: Path, overrides: Sequence[str] | None) -> Scene:
+    """What a pump feeds: the scene of a spec, or all actuators of one of several as one."""
+    from viscodesign.loading import load_pumped
+
+    return load_pumped(_source(spec), overrides or ())
+
+
 def read_robot(spec: Path, overrides: Sequence[str] | None) -> RobotScene:
     """The robot of a spec on the command line; `-` is standard input."""
     from viscodesign import load_robot

@@ -120,6 +120,11 @@ def linked_groups(scene: SeveralScene) -> list[LinkedGroup]:
     return found
 
 
+def whole_group(scene: SeveralScene) -> LinkedGroup:
+    """All actuators as one group, also those that share no fluid: what a pump has to feed."""
+    return _group(scene, list(scene.actuators), scene.tubes or ())
+
+
 def lost_nodes(scene: SeveralScene) -> list[str]:
     """Nodes between actuators from which no tube leads to one."""
     labels = _labels(scene)

@@ -17,16 +17,23 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from viscodesign.errors import Fault, SpecError
 from viscodesign.scene.alone import Alone, alone
 from viscodesign.scene.common_period import common_period
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.fed_actuator import INLET, FedActuator, by_inlet, inherited
-from viscodesign.scene.fluid_links import LinkedGroup, linked_groups, reached_by_tubes
+from viscodesign.scene.fluid_links import (
+    LinkedGroup,
+    linked_groups,
+    reached_by_tubes,
+    whole_group,
+)
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.joined_scene import JoinedScene, joined_keys
 from viscodesign.scene.later_input import own_inputs
 from viscodesign.scene.loads import Loads
 from viscodesign.scene.network import TubeEntry
+from viscodesign.scene.pump import AnyPump
 from viscodesign.scene.read_only import ReadOnlyDict
 from viscodesign.scene.run import RunSettings
 from viscodesign.scene.scene import Scene
@@ -100,6 +107,9 @@ class SeveralScene(WholeSpec):
     )
     uncertainty: Uncertainty | None = Field(None, description="How well numbers are known")
     run: RunSettings = Field(description="Duration, outputs and initial state")
+    pump: AnyPump | None = Field(
+        None, description="The pump at every input, for the pump commands; it feeds all actuators"
+    )
 
     @field_validator("actuators")
     @classmethod
@@ -221,6 +231,17 @@ class SeveralScene(WholeSpec):
         each = ((group, own) for group in self.groups for own in group.actuators)
         return ReadOnlyDict({own.name: alone(group, own) for group, own in each})
 
+    @property
+    def pumped(self) -> JoinedScene:
+        """All actuators as one scene with the pump: each input feeds all that hangs on it.
+
+        Raises `SpecError` where actuators are too unlike to be one system.
+        """
+        group = whole_group(self)
+        if faults := list(group_faults(self, group)):
+            raise SpecError([Fault(f.message, ".".join(f.path), self._source.file) for f in faults])
+        return self._joined(group, self.name, pump=self.pump)
+
     def _share(self, name: str) -> Input:
         """What one actuator has of an input."""
         source = self.sources[name]
@@ -265,9 +286,11 @@ class SeveralScene(WholeSpec):
             keys["run"] = self.run.model_copy(update={"start": "equilibrium"})
         return Scene.model_validate(keys).with_source(self._source)
 
-    def _joined(self, group: LinkedGroup) -> JoinedScene:
-        scenes = {name: self._alone_scene(name) for name in group.names}
+    def _joined(self, group: LinkedGroup, name: str | None = None, **more: Any) -> JoinedScene:
+        """A group as one scene; ``name``: unless it is that of its actuators."""
+        scenes = {n: self.scenes.get(n) or self._alone_scene(n) for n in group.names}
         keys = self._common("+".join(group.names)) | joined_keys(group, scenes, self.sources)
+        keys |= more | ({} if name is None else {"name": name})
         return JoinedScene.model_validate(keys).with_source(self._source)
 
     def __repr__(self) -> str:

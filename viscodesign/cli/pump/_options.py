@@ -61,10 +61,10 @@ Force = Annotated[bool, typer.Option("--force", help="Overwrite files that exist
 
 def optional_scene(spec: Path | None, overrides: list[str] | None) -> Scene | None:
     """The scene of a command for which a spec is optional."""
-    from viscodesign.cli.specs import read_scene
+    from viscodesign.cli.specs import read_pumped
 
     if spec is not None:
-        return read_scene(spec, overrides)
+        return read_pumped(spec, overrides)
     if overrides:
         raise UsageError("--set overrides a spec, and none is given")
     return None

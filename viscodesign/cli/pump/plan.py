@@ -16,7 +16,7 @@ from viscodesign.cli.options import (
     Spec,
 )
 from viscodesign.cli.output import complain, say_result
-from viscodesign.cli.specs import read_scene
+from viscodesign.cli.specs import read_pumped
 from viscodesign.errors import PumpError, RunFailedError
 from viscodesign.report.picture_options import picture_options
 
@@ -56,7 +56,7 @@ def command(
     from viscodesign.pump.report.plan_folder import plan_document, write_plan
     from viscodesign.report.folder import new_folder
 
-    scene = read_scene(spec, overrides)
+    scene = read_pumped(spec, overrides)
     pump_of(scene)
     folder, remark = folder_for(scene, output)
     if remark and not quiet:

@@ -66,13 +66,13 @@ def command(
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import named_folder
-    from viscodesign.cli.specs import read_scene
+    from viscodesign.cli.specs import read_pumped
     from viscodesign.cli.texts.live_view import live_view
     from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_stream
     from viscodesign.pump.sessions.streaming import StreamSession
 
-    scene = read_scene(spec, overrides)
+    scene = read_pumped(spec, overrides)
     address = BoardAddress(board, port, baud, pace, log)
     with progress(quiet, "planning", "planning") as advance:
         # `on_stop` is one of the words, as the session checks.

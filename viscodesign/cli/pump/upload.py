@@ -77,12 +77,12 @@ def command(
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
-    from viscodesign.cli.specs import read_scene
+    from viscodesign.cli.specs import read_pumped
     from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_upload
     from viscodesign.pump.sessions.uploading import UploadSession, refuse_board
 
-    scene = read_scene(spec, overrides)
+    scene = read_pumped(spec, overrides)
     refuse_board(board, scene)
     address = BoardAddress(board, port, baud, log=log)
     playable = port is not None or address.simulated

@@ -70,6 +70,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         achievable=requested.kind.course(achieved.demands),
         wanted_run=run,
         achievable_run=achieved.run,
+        actuators=tuple(scene.members),
         deviation=_distance(run.tip, achieved.run.tip),
         clipped=achieved.clipped,
         sweeps=achieved.sweeps,
@@ -102,9 +103,10 @@ def requested_motion(
 
 
 def _distance(tip: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Distance of two tips (T, 3) at the times that both have [m]."""
+    """Largest distance of tips (T, 3 R) of R actuators at the times that both have [m]."""
     both = min(len(tip), len(other))
-    return np.asarray(np.hypot(*(tip[:both, :2] - other[:both, :2]).T))
+    apart = (tip[:both] - other[:both]).reshape(both, -1, 3)
+    return np.asarray(np.max(np.hypot(apart[..., 0], apart[..., 1]), axis=1))
 
 
 def _notices(

@@ -96,7 +96,8 @@ class PumpPlan:
     achievable: PumpCourse
     wanted_run: Trajectory
     achievable_run: Trajectory
-    deviation: np.ndarray  # (T,) distance of both tips at the runs' times [m]
+    actuators: tuple[str, ...]  # the names of several; none for one
+    deviation: np.ndarray  # (T,) distance of both tips at the runs' times [m], the largest of all
     clipped: tuple[str, ...]  # what of the wanted motion the pump cannot do, in words
     sweeps: int  # solutions of the achievable motion until it and its pressure agreed
     unsettled_steps: float  # by how much the last two of them differed
@@ -123,6 +124,14 @@ class PumpPlan:
     def is_feasible(self) -> bool:
         """Whether no verdict forbids it."""
         return not self.infeasible
+
+    def tips(self, run: Trajectory) -> dict[str, np.ndarray]:
+        """Tips of one of both runs (T, 3), x, z [m] and angle [rad], by actuator.
+
+        A single one has an empty name.
+        """
+        each = np.split(run.tip, max(len(self.actuators), 1), axis=1)
+        return dict(zip(self.actuators or ("",), each, strict=True))
 
     @property
     def deviation_m(self) -> float:

@@ -26,6 +26,8 @@ LEAST_WIDTH = 6.4
 """All in inches: the least width with the tip's paths on the right; else they are below."""
 MOST_ENTRIES = 8
 """Largest number of entries of the key."""
+SAME_PATH_MM = 1e-3
+"""Distance of tips up to which two actuators move alike."""
 LEAD_SHOWN = 0.2
 """Largest part of a lead-in that is drawn, as a share of the run."""
 WANTED: dict[str, Any] = {"lw": 3.2, "alpha": 0.4, "solid_capstyle": "butt"}
@@ -116,12 +118,17 @@ def _mark(axes: Axes, name: str, level: float, *, upper: bool) -> None:
 
 def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     """Both paths in mm with equal axes, z downwards as the actuator hangs."""
-    wanted, done = (1e3 * run.tip[:, :2] for run in (plan.wanted_run, plan.achievable_run))
-    colour = _shared_colour(plan)
-    for points, style in ((wanted, WANTED), (done, DONE)):
-        axes.plot(*points.T, solid_joinstyle="round", color=colour, **style)
-        axes.plot(*points[0], marker="o", ms=4, color=colour, alpha=style.get("alpha"), zorder=4)
-    both = np.concatenate([wanted, done])
+    colour, drawn = _shared_colour(plan), []
+    for run, style in ((plan.wanted_run, WANTED), (plan.achievable_run, DONE)):
+        for tip in plan.tips(run).values():
+            points = 1e3 * tip[:, :2]
+            drawn.append(points)
+            axes.plot(*points.T, solid_joinstyle="round", color=colour, **style)
+            alpha = style.get("alpha")
+            axes.plot(*points[0], marker="o", ms=4, color=colour, alpha=alpha, zorder=4)
+    both = np.concatenate(drawn)
+    if plan.actuators:
+        _name_paths(axes, plan)
     x, z = (both.min(axis=0) + both.max(axis=0)) / 2
     half = max(float(np.max(np.ptp(both, axis=0))) * 0.56, 0.5)
     axes.set(xlim=(x - half, x + half), ylim=(z + half, z - half))
@@ -129,6 +136,26 @@ def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     axes.grid(color=look().grid, lw=0.6)
     axes.set_axisbelow(True)
     axes.ticklabel_format(style="plain", useOffset=False)
+
+
+def _name_paths(axes: Axes, plan: PumpPlan) -> None:
+    """The names of several actuators, those of equal paths together, each at an end of its own."""
+    paths: list[tuple[list[str], np.ndarray]] = []
+    for actuator, tip in plan.tips(plan.wanted_run).items():
+        points = 1e3 * tip[:, :2]
+        alike = (names for names, other in paths if np.allclose(points, other, atol=SAME_PATH_MM))
+        names = next(alike, None)
+        if names is None:
+            paths.append(([actuator], points))
+        else:
+            names.append(actuator)
+    for k, (names, points) in enumerate(paths):
+        sign, axis = (1, -1)[k % 2], k // 2 % 2
+        end = points[int(np.argmax(sign * points[:, axis]))]
+        axes.annotate(
+            ", ".join(names), end, xytext=(0, 7 * (1 + k // 4)), textcoords="offset points",
+            ha="right" if sign > 0 else "left", fontsize=7,
+        )  # fmt: skip
 
 
 def _draw_words(made: Figure, plan: PumpPlan, left: float, top: float) -> None:

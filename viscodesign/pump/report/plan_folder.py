@@ -52,8 +52,10 @@ def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
                 found[f"{kind}_{own}{word}"] = column
     before = np.full(len(time) - len(plan.wanted_run.time), np.nan)
     for kind, run in (("wanted", plan.wanted_run), ("achievable", plan.achievable_run)):
-        for word, column in zip(("tip_x_m", "tip_z_m", "tip_angle_rad"), run.tip.T, strict=True):
-            found[f"{kind}_{word}"] = np.concatenate([before, column])
+        for actuator, tip in plan.tips(run).items():
+            own = f"{actuator}_" if actuator else ""
+            for word, column in zip(("tip_x_m", "tip_z_m", "tip_angle_rad"), tip.T, strict=True):
+                found[f"{kind}_{own}{word}"] = np.concatenate([before, column])
     return list(found), np.column_stack(list(found.values()))
 
 
