@@ -12,7 +12,7 @@ from tests.scenes import CONFIGS
 from viscodesign import RobotScene, load_robot
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.robot.build_robot import build_robot
-from viscodesign.robot.march import StepPlan, march
+from viscodesign.robot.march import RecordedWalk, StepPlan, march
 from viscodesign.robot.walk import start_state
 
 HEXAPOD = CONFIGS / "hexapod.yaml"
@@ -26,6 +26,17 @@ def hexapod(*overrides: str) -> RobotScene:
 
 def moved(scene: RobotScene, per_cycle: int, cycles: int) -> RobotMotion:
     """The motion of a robot with a given step."""
+    return recorded(scene, per_cycle, cycles).motion
+
+
+def keys() -> dict[str, Any]:
+    """Its keys as plain data."""
+    found: dict[str, Any] = yaml.safe_load(TEXT)
+    return found
+
+
+def recorded(scene: RobotScene, per_cycle: int, cycles: int) -> RecordedWalk:
+    """The motion of a robot with a given step, as `walk` solves it."""
     model, period = build_robot(scene), scene.period or 0.0
     sources = list(scene.sources.values())
 
@@ -33,13 +44,7 @@ def moved(scene: RobotScene, per_cycle: int, cycles: int) -> RobotMotion:
         return scene.gauge_pressure + np.column_stack([s.values(times) for s in sources])
 
     plan = StepPlan(period, per_cycle, cycles, per_cycle)
-    return march(model, start_state(scene, model), pressures, plan).motion
-
-
-def keys() -> dict[str, Any]:
-    """Its keys as plain data."""
-    found: dict[str, Any] = yaml.safe_load(TEXT)
-    return found
+    return march(model, start_state(scene, model), pressures, plan)
 
 
 def mirrored() -> RobotScene:

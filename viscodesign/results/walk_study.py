@@ -7,6 +7,7 @@ from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice, json_ready
+from viscodesign.results.gait_energy import GaitEnergy
 from viscodesign.results.provenance import provenance
 from viscodesign.results.robot_motion import RobotMotion
 
@@ -56,6 +57,8 @@ class ContactInvariants:
     """Momentum of the whole robot against the forces on it, relative to its weight."""
     gas_mass_imbalance_rel: float
     """Contents of bellows against what flowed in, relative to their contents."""
+    energy_imbalance_rel: float
+    """Of `GaitEnergy`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +82,7 @@ class WalkStudy:
     feet: dict[str, FootUse]
     pumps: dict[str, PumpUse]
     invariants: ContactInvariants
+    energy: GaitEnergy
     warnings: tuple[Notice, ...]
     spec_text: str
     """The resolved spec, runnable."""
@@ -134,6 +138,7 @@ class WalkStudy:
             "pumps": {name: asdict(pump) for name, pump in self.pumps.items()},
             "feet": {name: asdict(foot) for name, foot in self.feet.items()},
             "invariants": asdict(self.invariants),
+            "energy": asdict(self.energy),
             "warnings": [asdict(notice) for notice in self.warnings],
             "cost": {"solve_cpu_s": self.solve_cpu_s, "total_s": self.total_s},
             "provenance": provenance(),

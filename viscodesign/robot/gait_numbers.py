@@ -65,6 +65,7 @@ def invariants(model: RobotModel, recording: RecordedWalk) -> ContactInvariants:
         largest_friction_work_j=float(np.max(work)),
         force_imbalance_rel=_force_imbalance(model, recording),
         gas_mass_imbalance_rel=recording.gas_imbalance,
+        energy_imbalance_rel=recording.energy.imbalance_rel,
     )
 
 

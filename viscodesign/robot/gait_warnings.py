@@ -14,15 +14,24 @@ from viscodesign.robot.leg_network import barrel_volume, flow
 from viscodesign.robot.march import RecordedWalk
 from viscodesign.robot.robot_model import LegGroup, RobotModel
 
+ENERGY_IMBALANCE = 1e-2
+"""Part of the work from which on the balance of energy is told to be poor."""
+
 
 def gait_warnings(model: RobotModel, recording: RecordedWalk) -> Iterator[Notice]:
-    """Turbulent tubes and bellows below their floor, over the recorded rows."""
+    """Turbulent tubes and bellows below their floor, over the recorded rows; lost energy."""
     rows = recording.motion.rows
     sources = recording.motion.pressure[rows]
     for index, group in enumerate(model.groups):
         pressures = np.array([state.legs[index].pressure for state in recording.states])
         yield from _turbulence(model, group, pressures, sources)
         yield from _collapse(group, _least(model, recording, index))
+    if not recording.energy.imbalance_rel <= ENERGY_IMBALANCE:
+        yield Notice(
+            "energy_imbalance",
+            f"the residual of the energy balance is {recording.energy.imbalance_rel:.2g} of the "
+            f"work done (limit {ENERGY_IMBALANCE:g}); use shorter steps: a smaller accuracy",
+        )
 
 
 def _turbulence(

@@ -66,6 +66,13 @@ def _potential(fluid: FilledFluid, pressure: Any, functions: Any) -> Any:
     return gas.density_integral(pressure, fluid.ambient, fluid.exponent, functions)
 
 
+def specific_work(fluid: FilledFluid, pressure: Any) -> Any:
+    """Work that a unit of fluid can do at a gauge pressure [Pa]."""
+    if fluid.exponent is None:
+        return pressure
+    return gas.specific_work(pressure, fluid.ambient, fluid.exponent)
+
+
 def barrel_volume(fluid: FilledFluid, content: Any, pressure: Any) -> Any:
     """Volume at a gauge pressure of what is a volume at ambient density [m3]."""
     return content / density(fluid, np.asarray(pressure))

@@ -8,11 +8,13 @@ import numpy as np
 
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.gait_energy import GaitEnergy
 from viscodesign.results.robot_motion import RobotMotion
+from viscodesign.robot.energy import EnergyLedger
 from viscodesign.robot.leg_network import barrel_volume
 from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.robot_model import RobotModel
-from viscodesign.robot.time_step import RobotState, StepSolver
+from viscodesign.robot.time_step import RobotState, Step, StepSolver
 
 FROZEN = 1e12
 """Damping time over the step by which a leg keeps its strains."""
@@ -35,6 +37,7 @@ class RecordedWalk:
     """Whether a step was done as a whole, and not in halves (T - 1,)."""
     gas_imbalance: float
     """Largest part of a bellow's content that its pressure does not account for."""
+    energy: GaitEnergy
 
 
 @dataclass(frozen=True)
@@ -72,50 +75,40 @@ def march(
     sources = pressures(times)
     solver = StepSolver(model, plan.period / plan.per_cycle)
     table = StepTable(model, len(times))
-    states, worst, now = [start], 0.0, start
+    states, worst, now, ledger = [start], 0.0, start, EnergyLedger(model)
     table.put(0, start)
     for k in range(1, len(times)):
-        last, after = advanced(solver, now, sources[k - 1], sources[k])
-        table.put(k, after)
+        steps = advanced(solver, now, sources[k - 1], sources[k])
+        for step in steps:
+            ledger.add(step)
+        last = steps[-1]
+        now = last.after
+        table.put(k, now)
         table.whole[k - 1] = last.solver is solver
         if k % plan.every == 0:
-            states.append(after)
-            worst = max(worst, last.gas_imbalance(after, sources[k]))
+            states.append(now)
+            worst = max(worst, last.gas_imbalance())
             if progress is not None:
                 progress(k / plan.count)
-        now = after
     motion = _motion(model, table, times, sources, states, plan)
-    return RecordedWalk(motion, table.velocity, tuple(states), table.whole, worst)
+    energy = ledger.balance(float(times[-1]) - plan.period)
+    return RecordedWalk(motion, table.velocity, tuple(states), table.whole, worst, energy)
 
 
-def advanced(
-    solver: StepSolver, now: RobotState, begin: np.ndarray, end: np.ndarray
-) -> tuple[LastStep, RobotState]:
-    """The last step to a state a step later, and that state; ``begin``, ``end``: sources [Pa].
+def advanced(solver: StepSolver, now: RobotState, begin: np.ndarray, end: np.ndarray) -> list[Step]:
+    """The steps to a state a step later; ``begin``, ``end``: sources [Pa].
 
     A step that does not converge is halved, with the sources half way in its middle. Raises
     `SolveError` where that does not help.
     """
     try:
-        return LastStep(solver, now), solver.advance(now, end)
+        return [Step(solver, now, solver.advance(now, end), begin, end)]
     except SolveError:
         if solver.halvings == MOST_HALVINGS:
             raise
     finer, middle = solver.halved(), (begin + end) / 2
-    _, half = advanced(finer, now, begin, middle)
-    return advanced(finer, half, middle, end)
-
-
-@dataclass(frozen=True, eq=False)
-class LastStep:
-    """The step that led to a state."""
-
-    solver: StepSolver
-    begun: RobotState
-
-    def gas_imbalance(self, after: RobotState, sources: np.ndarray) -> float:
-        """As `StepSolver.gas_imbalance`."""
-        return self.solver.gas_imbalance(self.begun, after, sources)
+    first = advanced(finer, now, begin, middle)
+    return [*first, *advanced(finer, first[-1].after, middle, end)]
 
 
 class StepTable:

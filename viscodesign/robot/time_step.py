@@ -53,6 +53,22 @@ PRESSURE_TOLERANCE = 3e-5
 """Last Newton step of a pressure, relative to the ambient pressure."""
 
 
+@dataclass(frozen=True, eq=False)
+class Step:
+    """A step that was done."""
+
+    solver: StepSolver
+    begun: RobotState
+    after: RobotState
+    begin: np.ndarray
+    """Gauge pressures of the sources as it begins (S,) [Pa]."""
+    end: np.ndarray
+
+    def gas_imbalance(self) -> float:
+        """As `StepSolver.gas_imbalance`."""
+        return self.solver.gas_imbalance(self.begun, self.after, self.end)
+
+
 class StepSolver:
     """Advances a robot by equal steps."""
 

@@ -225,6 +225,7 @@ def _study(
         feet=foot_uses(motion),
         pumps=pump_uses(motion, scene.robot.pump),
         invariants=invariants(model, last.recording),
+        energy=last.recording.energy,
         warnings=tuple(gait_warnings(model, last.recording)),
         spec_text=part_yaml(scene),
         solve_cpu_s=last.solve_cpu_s,

@@ -90,6 +90,18 @@ def test_balances_hold(study: WalkStudy) -> None:
     assert study.invariants.gas_mass_imbalance_rel < 1e-8
 
 
+def test_energy_is_accounted_for(study: WalkStudy) -> None:
+    """What the pumps and the coupling give is stored or lost, up to the trapezoidal rule."""
+    energy = study.energy
+    assert energy.imbalance_rel < 1e-3
+    assert energy.work_j["friction"] == pytest.approx(study.invariants.friction_work_j, rel=1e-9)
+    given = energy.cycle_work_j["pump"] + energy.cycle_work_j["coupling"]
+    gone = sum(energy.cycle_loss_j.values()) - energy.cycle_work_j["friction"]
+    assert given == pytest.approx(gone + energy.cycle_stored_j, rel=1e-3)
+    assert abs(energy.cycle_stored_j) < 2e-3 * given  # a cycle ends nearly as it began
+    assert min(energy.cycle_loss_j.values()) >= 0.0
+
+
 def test_a_mirrored_robot_walks_mirrored() -> None:
     own, other = moved(hexapod(), 60, 1), moved(mirrored(), 60, 1)
     size = np.max(np.abs(own.body[:, 0]))

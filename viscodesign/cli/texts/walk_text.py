@@ -51,11 +51,21 @@ def _facts(study: WalkStudy) -> Iterator[tuple[str, str]]:
     yield (
         "balances",
         f"forces {number(found.force_imbalance_rel)} of the weight, "
-        f"gas {number(found.gas_mass_imbalance_rel)} of the contents",
+        f"gas {number(found.gas_mass_imbalance_rel)} of the contents, "
+        f"energy {number(found.energy_imbalance_rel)} of the work",
     )
+    yield "energy", _energy(study)
     speedup = study.motion.time[-1] / study.solve_cpu_s
     words = f"the last solution {number(speedup)} times as fast as the robot (processor time)"
     yield "time", f"{seconds(study.total_s)}; {words}"
+
+
+def _energy(study: WalkStudy) -> str:
+    """What the last cycle takes and where it goes."""
+    energy = study.energy
+    work = [f"{name} {number(1e3 * own, 'mJ')}" for name, own in energy.cycle_work_j.items()]
+    lost = [f"{name} {number(1e3 * own, 'mJ')}" for name, own in energy.cycle_loss_j.items()]
+    return f"in the last cycle, work of {', '.join(work)}; lost in {', '.join(lost)}"
 
 
 def _feet(study: WalkStudy) -> Iterator[tuple[str, ...]]:
