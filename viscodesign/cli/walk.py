@@ -120,6 +120,9 @@ def no_speed(study: WalkStudy) -> ViscodesignError | None:
     """Why no speed is stated, as an error to be raised when the files are written."""
     if not study.refusal:
         return None
+    if study.end:
+        kept = f"{study.name}: {study.refusal}; what was computed is kept"
+        return InterruptedRunError(kept) if study.end == "interrupted" else NoSpeedError(kept)
     if study.refusal.startswith("interrupted"):
         return InterruptedRunError(f"{study.name}: {study.refusal}; the one before is kept")
     return NoSpeedError(f"{study.name}: no speed is stated: {study.refusal}")

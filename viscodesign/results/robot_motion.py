@@ -54,8 +54,8 @@ class RobotMotion:
 
     @property
     def last_cycle(self) -> slice:
-        """The rows of the last period, both ends."""
-        return slice(len(self.time) - 1 - self.steps_per_cycle, None)
+        """The rows of the last period, both ends; all of them where the motion ended before."""
+        return slice(max(len(self.time) - 1 - self.steps_per_cycle, 0), None)
 
     @property
     def advances(self) -> np.ndarray:

@@ -79,6 +79,8 @@ class WalkStudy:
     """Change of the advance from the last cycle but one to the last, relative to it."""
     refusal: str
     """Why no speed is stated; empty where it is."""
+    end: str
+    """`failed` or `interrupted` where the motion itself ended early, else empty."""
     feet: dict[str, FootUse]
     pumps: dict[str, PumpUse]
     invariants: ContactInvariants
@@ -102,6 +104,11 @@ class WalkStudy:
         return float("nan") if self.refusal else self.advances_by_step_m[-1]
 
     @property
+    def status(self) -> str:
+        """`complete`, `refused` where no speed is stated, `failed` or `interrupted`."""
+        return self.end or ("refused" if self.refusal else "complete")
+
+    @property
     def speed_body_lengths_per_s(self) -> float:
         """Speed either way, in lengths of the body a second [1/s]; NaN where it is not stated."""
         return abs(self.advance_per_cycle_m) / (self.motion.period * self.body_length_m)
@@ -120,7 +127,7 @@ class WalkStudy:
         """As in `summary.json`."""
         found: dict[str, Any] = json_ready({
             "name": self.name,
-            "status": "refused" if self.refusal else "complete",
+            "status": self.status,
             "refusal": self.refusal or None,
             "advance_per_cycle_m": self.advance_per_cycle_m,
             "speed_body_lengths_per_s": self.speed_body_lengths_per_s,

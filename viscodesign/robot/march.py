@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 
 import numpy as np
 
@@ -38,6 +39,8 @@ class RecordedWalk:
     gas_imbalance: float
     """Largest part of a bellow's content that its pressure does not account for."""
     energy: GaitEnergy
+    stop: BaseException | None
+    """What ended it early: a `SolveError`, or Ctrl-C."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,8 @@ def march(
 ) -> RecordedWalk:
     """The motion from a state; ``pressures`` of the sources at times (T,): gauge (T, S) [Pa].
 
-    Raises `SolveError`.
+    Where a step fails, or Ctrl-C comes, the motion ends before it, and tells so. Raises
+    `SolveError` where the first step fails.
     """
     times = plan.times()
     sources = pressures(times)
@@ -77,8 +81,15 @@ def march(
     table = StepTable(model, len(times))
     states, worst, now, ledger = [start], 0.0, start, EnergyLedger(model)
     table.put(0, start)
+    stop: BaseException | None = None
     for k in range(1, len(times)):
-        steps = advanced(solver, now, sources[k - 1], sources[k])
+        try:
+            steps = advanced(solver, now, sources[k - 1], sources[k])
+        except (SolveError, KeyboardInterrupt) as error:
+            if k == 1:
+                raise
+            stop, times = error, times[:k]
+            break
         for step in steps:
             ledger.add(step)
         last = steps[-1]
@@ -90,9 +101,10 @@ def march(
             worst = max(worst, last.gas_imbalance())
             if progress is not None:
                 progress(k / plan.count)
-    motion = _motion(model, table, times, sources, states, plan)
-    energy = ledger.balance(float(times[-1]) - plan.period)
-    return RecordedWalk(motion, table.velocity, tuple(states), table.whole, worst, energy)
+    table = table.until(len(times))
+    motion = _motion(model, table, times, sources[: len(times)], states, plan)
+    energy = ledger.balance(max(float(times[-1]) - plan.period, 0.0))
+    return RecordedWalk(motion, table.velocity, tuple(states), table.whole, worst, energy, stop)
 
 
 def advanced(solver: StepSolver, now: RobotState, begin: np.ndarray, end: np.ndarray) -> list[Step]:
@@ -120,6 +132,14 @@ class StepTable:
         self.whole = np.ones(count - 1, dtype=bool)
         self.forces = np.zeros((count, 2 * model.count))
         self.drawn = np.zeros((count, len(model.source_names)))
+
+    def until(self, count: int) -> StepTable:
+        """The first ``count`` rows."""
+        found = copy(self)
+        for name in ("place", "velocity", "forces", "drawn"):
+            setattr(found, name, getattr(self, name)[:count])
+        found.whole = self.whole[: count - 1]
+        return found
 
     def put(self, k: int, state: RobotState) -> None:
         """Write the numbers of a step."""

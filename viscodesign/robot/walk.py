@@ -39,13 +39,14 @@ def walk(
 
     The step is halved until the advance per cycle changes by less than the scene's accuracy;
     where it still changes by 3 % or more, from step to step or from cycle to cycle, no speed is
-    stated, and the study says why. So it does where Ctrl-C or a failure ends a later solution.
+    stated, and the study says why. So it does where Ctrl-C or a failure ends a later solution; of
+    the first one, it keeps the part that was solved.
     ``steps_per_cycle``: steps of a cycle at first; ``progress`` is told the fraction done of each
     solution.
 
     Raises `SpecError` for inputs without a common period or below vacuum, and for runs of less
     than two cycles, `SolveError` where the robot does not stand at the start or a step does not
-    converge.
+    converge right at the start.
     """
     began = clock.perf_counter()
     refuse_sources_in_vacuum(scene)
@@ -53,10 +54,19 @@ def walk(
     gait = _Gait(scene, model, steps_per_cycle or STEPS.per_cycle)
     levels = gait.refined(progress)
     study = _study(scene, model, levels, clock.perf_counter() - began)
-    if not gait.stopped:
-        return study
+    return study if gait.stop is None else _ended(study, gait.stop, levels[0].recording.stop)
+
+
+def _ended(study: WalkStudy, stop: BaseException, early: BaseException | None) -> WalkStudy:
+    """A study whose solutions ended with ``stop``; ``early``: what ended the first of them."""
+    is_interrupt = isinstance(stop, KeyboardInterrupt)
+    why = "interrupted" if is_interrupt else str(stop)
+    if early is not None:
+        end = "interrupted" if is_interrupt else "failed"
+        time = study.motion.time[-1]
+        return replace(study, end=end, refusal=f"{why}; the gait ends at t = {time:.4g} s")
     step = 1e3 * study.steps_s[-1]
-    return replace(study, refusal=f"{gait.stopped}, in the solution with half of {step:.3g} ms")
+    return replace(study, refusal=f"{why}, in the solution with half of {step:.3g} ms")
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,8 +78,9 @@ class _Level:
 
     @property
     def advance(self) -> float:
-        """In the last cycle [m]."""
-        return float(self.recording.motion.advances[-1])
+        """In the last cycle [m]; NaN where there is none."""
+        advances = self.recording.motion.advances
+        return float(advances[-1]) if len(advances) else math.nan
 
 
 class _Gait:
@@ -80,18 +91,22 @@ class _Gait:
         self.period = _period(scene)
         self.cycles = _cycles(scene, self.period)
         self.start = start_state(scene, model)
-        self.stopped = ""
+        self.stop: BaseException | None = None
         """Why the step was not halved to the end."""
 
     def refined(self, progress: Progress | None) -> list[_Level]:
         """Solutions until halving the step hardly moves the advance."""
         levels = [self._solved(self.per_cycle, progress)]
-        for k in range(1, STEPS.most_halvings + 1):
+        self.stop = levels[0].recording.stop
+        for k in range(1, STEPS.most_halvings + 1 if self.stop is None else 1):
             try:
-                levels.append(self._solved(self.per_cycle << k, progress))
+                finer = self._solved(self.per_cycle << k, progress)
+                self.stop = finer.recording.stop
             except (SolveError, KeyboardInterrupt) as stop:
-                self.stopped = "interrupted" if isinstance(stop, KeyboardInterrupt) else str(stop)
+                self.stop = stop
+            if self.stop is not None:
                 break
+            levels.append(finer)
             change = step_change(levels, self.scene.robot.body_length)
             is_damped = _is_resolved(self.model, levels[-1])
             if change <= self.scene.accuracy and is_damped:
@@ -212,7 +227,7 @@ def _study(
 ) -> WalkStudy:
     last = levels[-1]
     motion, length = last.recording.motion, scene.robot.body_length
-    before, after = motion.advances[-2:]
+    before, after = ([math.nan, math.nan, *motion.advances.tolist()])[-2:]
     study = WalkStudy(
         name=scene.name,
         body_length_m=length,
@@ -220,8 +235,9 @@ def _study(
         steps_s=tuple(level.recording.motion.step for level in levels),
         advances_by_step_m=tuple(level.advance for level in levels),
         step_halving_change=step_change(levels, length),
-        cycle_change=relative_change(float(before), float(after), length),
+        cycle_change=relative_change(before, after, length),
         refusal="",
+        end="",
         feet=foot_uses(motion),
         pumps=pump_uses(motion, scene.robot.pump),
         invariants=invariants(model, last.recording),

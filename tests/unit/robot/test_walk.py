@@ -257,6 +257,38 @@ def test_what_was_solved_is_kept(
     assert found.document()["status"] == "refused"
 
 
+@pytest.mark.parametrize(
+    ("stop", "status", "told"),
+    [
+        (KeyboardInterrupt(), 130, "interrupted"),
+        (SolveError("it broke", quantity="place", where="robot"), 3, "failed"),
+    ],
+)
+def test_the_beginning_of_a_gait_is_kept(
+    stop: BaseException, status: int, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where the first solution ends within its first cycle, what it has is written."""
+    advance = StepSolver.advance
+
+    def until(self: StepSolver, now: RobotState, sources: np.ndarray) -> RobotState:
+        if now.time > 0.5:
+            raise stop
+        return advance(self, now, sources)
+
+    monkeypatch.setattr(StepSolver, "advance", until)
+    found = walk(hexapod("run.duration=5 s"), steps_per_cycle=50)
+    error = no_speed(found)
+    assert error is not None
+    assert error.exit_code == status
+    document = found.document()
+    assert (document["status"], document["advance_per_cycle_m"]) == (told, None)
+    assert 0.5 < found.motion.time[-1] < 0.6
+    files = write_walk(found, tmp_path)
+    rows = np.genfromtxt(next(f for f in files if f.name == "walk.csv"), delimiter=",", names=True)
+    assert rows["time_s"][-1] <= found.motion.time[-1]
+    assert walk_lines(found, tmp_path, files)
+
+
 def test_a_step_that_does_not_converge_is_halved() -> None:
     """Twenty steps a cycle are too few for Newton's method."""
     found = moved(hexapod(), 20, 1)
