@@ -153,6 +153,7 @@ def _walked(scene: RobotScene, output: Path | None, options: RunOptions) -> Spec
         scene,
         output,
         plots=options.plots,
+        report=options.report,
         pictures=options.pictures,
         force=options.force,
         quiet=options.quiet,

@@ -12,6 +12,7 @@ from viscodesign.cli.options import (
     Force,
     Json,
     NoPlots,
+    NoReport,
     Overrides,
     PictureFormat,
     PictureStyle,
@@ -51,6 +52,7 @@ def command(
     ] = None,
     output: RunFolder = None,
     no_plots: NoPlots = False,
+    no_report: NoReport = False,
     picture_format: PictureFormat = "png",
     style: PictureStyle = "plain",
     width: PictureWidth = None,
@@ -62,8 +64,9 @@ def command(
     """Tell how a robot walks under its inputs.
 
     Body, feet, contact forces, advance per cycle, speed, and what the pumps have to do;
-    writes walk.csv, summary.json, spec.yaml and walk.png. Where the advance depends on
-    the step of the solution, no speed is stated, and it exits with 3.
+    writes walk.csv, summary.json, spec.yaml, walk.png and report.html, a page that shows it
+    in motion. Where the advance depends on the step of the solution, no speed is stated, and
+    it exits with 3.
     """
     pictures = picture_options(picture_format, style, width)
     from viscodesign.cli.specs import read_robot
@@ -72,6 +75,7 @@ def command(
         read_robot(spec, overrides),
         output,
         plots=not no_plots,
+        report=not no_report,
         pictures=pictures,
         force=force,
         quiet=quiet,
@@ -89,6 +93,7 @@ def walked(
     output: Path | None,
     *,
     plots: bool,
+    report: bool,
     pictures: PictureOptions,
     force: bool,
     quiet: bool,
@@ -108,7 +113,7 @@ def walked(
     folder = named_folder(scene.name, output)
     with new_folder(folder, force=force), progress(quiet, "halving the step", "walking") as advance:
         study = study_of(scene, progress=advance)
-    files = write_walk(study, folder, plots=plots, force=force, pictures=pictures)
+    files = write_walk(study, folder, plots=plots, report=report, force=force, pictures=pictures)
     if film is not None:
         from viscodesign.report.film.walk_film import write_walk_film
 

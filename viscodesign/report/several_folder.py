@@ -7,6 +7,7 @@ from pathlib import Path
 
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
+    PAGE,
     RUN_TABLES,
     SEVERAL_PICTURE,
     SUMMARY,
@@ -17,6 +18,7 @@ from viscodesign.report.folder import (
     remove_files,
     text_bytes,
 )
+from viscodesign.report.page.several_page import write_several_page
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.report.run_folder import write_run
 from viscodesign.results.several_runs import SeveralRuns
@@ -44,7 +46,11 @@ def write_several(
         folder / table: list(_lines(found)),
         folder / spec: [text_bytes(found.spec_text)],
     }
-    old = [folder / SUMMARY, *(folder / name for name in in_every_format([SEVERAL_PICTURE]))]
+    old = [
+        folder / SUMMARY,
+        folder / PAGE,
+        *(folder / name for name in in_every_format([SEVERAL_PICTURE])),
+    ]
     write_all(contents, first=lambda: remove_files(old))
     files = list(contents)
     for name, run in found.runs.items():
@@ -52,6 +58,8 @@ def write_several(
         files += write_run(run, folder / name, **own, pictures=pictures)
     if plots and found.runs:
         files.append(draw_picture(lambda to: _draw(found, to), folder / SEVERAL_PICTURE, pictures))
+    if report:
+        files.append(write_several_page(found, folder / PAGE))
     write_bytes(folder / SUMMARY, json_bytes(found.summary()))
     return [*files, folder / SUMMARY]
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
+    PAGE,
     SUMMARY,
     WALK_PICTURE,
     WALK_TABLE,
@@ -17,6 +18,7 @@ from viscodesign.report.folder import (
     text_bytes,
     write_with_picture,
 )
+from viscodesign.report.page.gait_page import write_gait_page
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import WalkStudy
@@ -29,6 +31,7 @@ def write_walk(
     directory: str | Path,
     *,
     plots: bool = True,
+    report: bool = True,
     force: bool = False,
     pictures: PictureOptions = AS_USUAL,
 ) -> list[Path]:
@@ -48,7 +51,9 @@ def write_walk(
 
         draw_walk(study, path)
 
-    return write_with_picture(contents, folder / WALK_PICTURE, draw if plots else None, pictures)
+    page, picture = folder / PAGE, folder / WALK_PICTURE
+    files = write_with_picture(contents, picture, draw if plots else None, pictures, [page])
+    return [*files, write_gait_page(study, page)] if report else files
 
 
 def _columns(motion: RobotMotion) -> Iterator[tuple[str, np.ndarray]]:

@@ -13,6 +13,8 @@ class RobotMotion:
 
     legs: tuple[str, ...]
     sources: tuple[str, ...]
+    source_of: tuple[int, ...]
+    """Which source feeds each leg."""
     foot_radius: float
     """[m]"""
     period: float

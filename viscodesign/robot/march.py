@@ -167,6 +167,7 @@ def _motion(
     return RobotMotion(
         legs=model.leg_names,
         sources=model.source_names,
+        source_of=model.source_of,
         foot_radius=model.feet.radius,
         period=plan.period,
         time=times,

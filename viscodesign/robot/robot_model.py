@@ -118,6 +118,14 @@ class RobotModel:
         return len(self.leg_names)
 
     @property
+    def source_of(self) -> tuple[int, ...]:
+        """Index of each leg's source, by leg."""
+        found = np.zeros(self.count, dtype=int)
+        for group in self.groups:
+            found[group.legs] = group.sources
+        return tuple(found.tolist())
+
+    @property
     def size(self) -> int:
         """Number of coordinates: body, then feet."""
         return BODY + FOOT * self.count

@@ -65,7 +65,7 @@ def _crouches(study: StandStudy) -> list[str]:
         return []
     heads = ("crouch", "gauge", f"pump {study.pump}: drawn as a liquid", "barrel for the fluid")
     rows: list[tuple[str, ...]] = [heads]
-    for row in study.crouch:
+    for row in (own for own in study.crouch if not own.reason):
         pressure = number(1e-3 * row.gauge_pressure_pa, "kPa")
         volumes = (number(1e6 * v, "mL") for v in (row.liquid_volume_m3, row.barrel_volume_m3))
         rows.append((f"{1e2 * row.height_ratio:g} % of the legs", pressure, *volumes))
@@ -74,4 +74,4 @@ def _crouches(study: StandStudy) -> list[str]:
         for row in study.crouch
         if row.reason
     ]
-    return [*table(rows), *reasons, ""]
+    return [*(table(rows) if len(rows) > 1 else []), *reasons, ""]

@@ -9,9 +9,11 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Colormap, Normalize
+from matplotlib.patches import Rectangle
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
+from viscodesign.report.layout.ground_outline import ground_outline, ground_words
 from viscodesign.report.layout.label_placement import POINTS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.pressure_colours import pressure_colours
@@ -20,7 +22,7 @@ from viscodesign.report.layout.strip import Frame, Strip, arrange
 from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture
 from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
 from viscodesign.report.page.page_data import tube_ends
-from viscodesign.report.page.sketch_numbers import scene_of
+from viscodesign.report.page.sketch_numbers import ground_of, scene_of
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
@@ -60,6 +62,8 @@ class Snapshots:
     """(N, I) gauge."""
     clamp: tuple[float, float]
     """Half width and height."""
+    ground: np.ndarray | None
+    """(n, 2) the line that may be touched."""
 
 
 def draw_shapes(trajectory: Trajectory, path: Target) -> None:
@@ -79,11 +83,12 @@ def draw_shapes(trajectory: Trajectory, path: Target) -> None:
         )
         _draw_tubes(axes, snapshots, strip, colours, norm)
         _draw_snapshots(axes, snapshots, strip, colours, norm)
+        _draw_ground(axes, snapshots, strip)
         _draw_labels(axes, snapshots, strip)
         _draw_sides(axes, snapshots, strip)
         _draw_scale(made, strip)
         _draw_bar(made, ScalarMappable(norm, colours), occurring, width)
-        head(made, trajectory, "shapes and gauge pressures", SIDE)
+        head(made, trajectory, "shapes and gauge pressures" + _told_ground(trajectory), SIDE)
 
 
 def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
@@ -105,7 +110,19 @@ def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
         trajectory.inlets,
         trajectory["inlet_pressure"][rows] / 1e3,
         (0.7 * width, 0.14 * width),
+        _ground(trajectory, float(np.ptp(axis)) + width),
     )
+
+
+def _ground(trajectory: Trajectory, reach: float) -> np.ndarray | None:
+    """The line of the ground [mm], so far to either side as ``reach`` [mm]."""
+    ground = ground_of(trajectory)
+    return None if ground is None else 1e3 * ground_outline(ground, 1e-3 * reach)
+
+
+def _told_ground(trajectory: Trajectory) -> str:
+    ground = ground_of(trajectory)
+    return "" if ground is None else f"; dashed: {ground_words(ground)}"
 
 
 def _frames(snapshots: Snapshots) -> list[Frame]:
@@ -181,6 +198,18 @@ def _draw_snapshots(
         axes.add_collection(
             LineCollection(list(lines), colors=look().ink, linewidths=pen, clip_on=False)
         )
+
+
+def _draw_ground(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
+    """The part of the ground's line that lies within the room of each snapshot."""
+    if snapshots.ground is None:
+        return
+    for frame, origin in zip(_frames(snapshots), strip.origins, strict=True):
+        shifted = snapshots.ground + np.array(origin)
+        line = axes.plot(*shifted.T, color=look().accent, lw=1.0, ls=(0, (6, 2)), zorder=4)[0]
+        corner = (origin[0] + frame.left, origin[1] + frame.top)
+        size = (frame.right - frame.left, frame.bottom - frame.top)
+        line.set_clip_path(Rectangle(corner, *size, transform=axes.transData))
 
 
 def _draw_labels(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:

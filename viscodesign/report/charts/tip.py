@@ -12,11 +12,11 @@ from viscodesign.report.charts.tip_instants import draw_instants
 from viscodesign.report.charts.tip_path import draw_path, time_range
 from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
-from viscodesign.report.layout.ground_outline import ground_outline
+from viscodesign.report.layout.ground_outline import ground_outline, ground_words
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
 from viscodesign.report.layout.style import TIME_DIGITS, Target, axes_at, head, head_room, picture
-from viscodesign.report.page.sketch_numbers import scene_of
+from viscodesign.report.page.sketch_numbers import ground_of
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
@@ -146,14 +146,19 @@ def _draw_clamp(axes: Axes, trajectory: Trajectory) -> None:
 
 
 def _draw_ground(axes: Axes, trajectory: Trajectory) -> None:
-    """The surface that the actuator may touch, as far as it is in the frame."""
-    scene = scene_of(trajectory) if trajectory.contacts else None
-    ground = None if scene is None else scene.loads.ground
-    if ground is not None:
-        (low, high), (top, bottom) = axes.get_xlim(), axes.get_ylim()
-        reach = 1e-3 * (abs(low) + abs(high) + abs(top) + abs(bottom))
-        line = 1e3 * ground_outline(ground, reach)
-        axes.plot(*line.T, color=look().ink, lw=1.2, zorder=2.5)
+    """The line that may be touched, as far as it is in the frame, and what touches it there."""
+    ground = ground_of(trajectory)
+    if ground is None:
+        return
+    (low, high), (top, bottom) = axes.get_xlim(), axes.get_ylim()
+    reach = 1e-3 * (abs(low) + abs(high) + abs(top) + abs(bottom))
+    line = 1e3 * ground_outline(ground, reach)
+    axes.plot(*line.T, color=look().accent, lw=1.2, ls=(0, (6, 2)), zorder=2.5)
+    axes.text(
+        0.01, 0.01, f"dashed: {ground_words(ground)}", transform=axes.transAxes, fontsize=7,
+        va="bottom", zorder=6,
+        bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.8, "pad": 1.0},
+    )  # fmt: skip
 
 
 def _draw_bodies(

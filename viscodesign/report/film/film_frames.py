@@ -13,12 +13,15 @@ from matplotlib.figure import Figure
 from viscodesign.report.film.film_plan import FilmOptions
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
 from viscodesign.report.layout.downsampling import envelope
+from viscodesign.report.layout.ground_outline import ground_outline
 from viscodesign.report.layout.look import drawn_as, look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes
 from viscodesign.report.layout.style import own_style, shown
 from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
+from viscodesign.report.page.page_data import GROUND_REACH
 from viscodesign.report.page.shown_rows import shapes_near
+from viscodesign.report.page.sketch_numbers import ground_of
 from viscodesign.report.picture_options import PictureOptions
 from viscodesign.results.findings import outside_words
 from viscodesign.results.trajectory import Trajectory
@@ -137,6 +140,11 @@ class _Body:
         plate = np.array([[(-half, 0.0), (half, 0.0)]])
         for lines, pen in ((clamp_strokes(half, hatch, 9), 0.8), (plate, 2.0)):
             self.axes.add_collection(LineCollection(list(lines), colors=look().ink, linewidths=pen))
+        if (ground := ground_of(self.run)) is not None:
+            line = 1e3 * ground_outline(ground, GROUND_REACH * self.run.length)
+            self.axes.plot(
+                *line.T, color=look().accent, lw=1.2, ls=(0, (6, 2)), scalex=False, scaley=False
+            )
         if len(self.run.time) > 1:
             path = 1e3 * envelope(self.run.time, self.run.tip[:, :2])[1]
             self.axes.plot(path[:, 0], path[:, 1], color=look().faint, lw=1.2, zorder=0)

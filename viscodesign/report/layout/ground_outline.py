@@ -27,3 +27,12 @@ def ground_outline(ground: Ground, reach: float) -> np.ndarray:
     nearest = away * (away @ [ground.point.x, ground.point.z])
     along = np.array([away[1], -away[0]])
     return np.array([nearest - reach * along, nearest + reach * along])
+
+
+def ground_words(ground: Ground) -> str:
+    """What touches the line that is drawn: a body drawn about its axis may lie across it."""
+    if ground.touches == "sections":
+        return "ground, as the axis touches it"
+    if ground.foot_radius:
+        return f"ground, as a foot of {1e3 * ground.foot_radius:.3g} mm about the tip touches it"
+    return "ground, as the tip touches it"

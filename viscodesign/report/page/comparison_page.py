@@ -5,11 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from viscodesign.report.page.packed_arrays import packed
 from viscodesign.report.page.self_contained import self_contained, write_html
-from viscodesign.report.page.shown_rows import MOST_ROWS
+from viscodesign.report.page.shown_rows import MOST_ROWS, evenly
 from viscodesign.results.coefficient_band import swept_ellipses
 from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
 
@@ -38,7 +36,7 @@ def comparison_data(found: Comparison) -> dict[str, Any]:
 
 
 def _curve(motion: ComparedMotion) -> dict[str, Any]:
-    rows = _shown(len(motion.time))
+    rows = evenly(len(motion.time), MOST_ROWS)
     return {
         "title": motion.title,
         "time": packed(motion.time[rows], "f8"),
@@ -56,7 +54,7 @@ def _band(motion: ComparedMotion) -> dict[str, Any] | None:
 
 
 def _distances(difference: TipDifference) -> dict[str, Any]:
-    rows = _shown(len(difference.time))
+    rows = evenly(len(difference.time), MOST_ROWS)
     phase = difference.phase
     return {
         "time": packed(difference.time[rows], "f8"),
@@ -66,13 +64,6 @@ def _distances(difference: TipDifference) -> dict[str, Any]:
         "phase": None if phase is None else packed(phase.phase, "f8"),
         "phase_distance": None if phase is None else packed(phase.distance, "f8"),
     }
-
-
-def _shown(count: int) -> np.ndarray:
-    """Rows that are shown, among them the first and the last."""
-    if count <= MOST_ROWS:
-        return np.arange(count)
-    return np.unique(np.linspace(0, count - 1, MOST_ROWS).round().astype(int))
 
 
 def _thinned(found: Comparison) -> list[str]:

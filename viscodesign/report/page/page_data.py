@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from viscodesign.report.layout.ground_outline import ground_outline, ground_words
 from viscodesign.report.page.packed_arrays import packed, packed_coordinates
 from viscodesign.report.page.shown_rows import (
     ShownRows,
@@ -15,7 +16,7 @@ from viscodesign.report.page.shown_rows import (
     shown_rows,
     shown_tubes,
 )
-from viscodesign.report.page.sketch_numbers import scene_of, sketch_numbers, why_not
+from viscodesign.report.page.sketch_numbers import ground_of, scene_of, sketch_numbers, why_not
 from viscodesign.results.coefficient_band import COVERAGE_FACTOR as ELLIPSE_FACTOR
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
@@ -25,6 +26,8 @@ MOST_SPEC_CHARACTERS = 60_000
 MOST_WARNINGS = 200
 MOST_DRAWN_TUBES = 128
 """As `actuator.js` has it."""
+GROUND_REACH = 4.0
+"""To which a straight ground is drawn, in lengths of the actuator."""
 
 
 def page_data(run: Trajectory) -> dict[str, Any]:
@@ -32,7 +35,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
     scene = scene_of(run)
     data: dict[str, Any] = {
         "summary": _short(run.summary()),
-        "spec": _spec(run.spec_text),
+        "spec": shortened_spec(run.spec_text),
         "length": run.length,
         "width": max(run.width, *run.section_widths, 0.0),
         "widths": list(run.section_widths),
@@ -40,6 +43,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
         "bellows": run.bellows,
         "all_tubes": tube_ends(run, scene),
         "total_rows": len(run.time),
+        "ground": _ground(run),
         "notes": list(run.notes),
     }
     return {**data, **_motion(run, scene)} if len(run.time) else data
@@ -65,6 +69,15 @@ def _motion(run: Trajectory, scene: Scene | None) -> dict[str, Any]:
         "band": _band(run, chosen),
         "sketch": _sketch(run, scene, chosen),
     }
+
+
+def _ground(run: Trajectory) -> dict[str, Any] | None:
+    """The line of the ground, where there is one, and what it means."""
+    ground = ground_of(run)
+    if ground is None:
+        return None
+    outline = ground_outline(ground, GROUND_REACH * run.length)
+    return {"outline": outline.tolist(), "words": f"Dashed: {ground_words(ground)}."}
 
 
 def _band(run: Trajectory, chosen: ShownRows) -> dict[str, Any] | None:
@@ -106,7 +119,8 @@ def _short(summary: Any) -> dict[str, Any]:
     return {**summary, "warnings": warnings[:MOST_WARNINGS], "more_warnings": max(more, 0)}
 
 
-def _spec(text: str) -> str:
+def shortened_spec(text: str) -> str:
+    """A spec with as many characters as anybody reads."""
     if len(text) <= MOST_SPEC_CHARACTERS:
         return text
     return f"{text[:MOST_SPEC_CHARACTERS]}\n... ({len(text):,} characters, all in spec.yaml)\n"

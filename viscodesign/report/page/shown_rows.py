@@ -105,3 +105,10 @@ def shapes_near(run: Trajectory, rows: np.ndarray) -> np.ndarray:
     after = np.clip(np.searchsorted(known, rows), 1, len(known) - 1)
     nearer = rows - known[after - 1] <= known[after] - rows
     return np.asarray(after - nearer)
+
+
+def evenly(count: int, most: int) -> np.ndarray:
+    """Up to ``most`` of so many rows at even distances, among them the first and the last."""
+    if count <= most:
+        return np.arange(count)
+    return np.unique(np.linspace(0, count - 1, most).round().astype(int))

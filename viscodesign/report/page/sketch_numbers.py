@@ -12,6 +12,7 @@ from viscodesign.errors import ViscodesignError
 from viscodesign.model.graph import Tube, crossed_order, straight_order
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.bellow_numbers import bellow_laws
+from viscodesign.scene.ground import Ground
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.scene import Scene
 
@@ -27,6 +28,12 @@ def scene_of(run: Trajectory) -> Scene | None:
         return parse_scene(run.spec_text.encode("utf-8", "backslashreplace"))
     except ViscodesignError:
         return None
+
+
+def ground_of(run: Trajectory) -> Ground | None:
+    """The ground that a run's actuator may touch, where there is one."""
+    scene = scene_of(run) if run.contacts else None
+    return None if scene is None else scene.loads.ground
 
 
 def why_not(run: Trajectory, scene: Scene | None) -> str:

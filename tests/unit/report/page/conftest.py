@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 
 from viscodesign.report.page.page import write_page
-from viscodesign.results.trajectory import Trajectory
 
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 
@@ -25,6 +24,7 @@ class Seen:
 
 
 Open = Callable[..., Any]
+Write = Callable[[Any, Path], Path]
 
 
 @pytest.fixture(scope="session")
@@ -47,8 +47,8 @@ def open_page(browser: Any, tmp_path: Path) -> Iterator[Open]:
     """Opens the page of a run; no page may ask for anything, or complain."""
     seen, contexts = Seen(), []
 
-    def opened(run: Trajectory, width: int = 1200, **options: Any) -> Any:
-        file = write_page(run, tmp_path / f"page{len(contexts)}.html")
+    def opened(run: Any, width: int = 1200, write: Write = write_page, **options: Any) -> Any:
+        file = write(run, tmp_path / f"page{len(contexts)}.html")
         context = browser.new_context(viewport={"width": width, "height": 800}, **options)
         contexts.append(context)
         page = context.new_page()

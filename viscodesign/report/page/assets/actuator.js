@@ -9,6 +9,12 @@ const MOST_EDGED = 64, MOST_TUBES = 128, COLOURS = 32;
 // as good as straight.
 const MERGED_SECTIONS = 140, LONGEST_PIECE = 4, USUAL_HEIGHT = 400, MOST_SPINE = 257;
 
+// The actuator of a run.
+function bodyOf(run) {
+  return { arc: run.arc.values, sections: run.sections, width: run.width, widths: run.widths, bellows: run.bellows, inlets: run.inlets,
+    tubes: run.all_tubes, junctions: junctionsOf(run.all_tubes, run.bellows, run.inlets), ground: run.ground };
+}
+
 // Room that all shapes take: {left, right, top, bottom} in metres, z downwards.
 function roomOf(points, width) {
   let left = -0.8 * width, right = 0.8 * width, bottom = 0.2 * width, top = -0.75 * width;
@@ -37,10 +43,14 @@ function makeActuator(host, body, room, scale, label) {
     class: "inlet", "stroke-width": 0.02 * pen, d: inletMark(body, k),
   }));
   const names = body.inlets.length > 1 ? body.inlets.map((name, k) => drawn("text", {
-    class: "inlet-name", x: 1000 * inletPlace(body, k)[0], y: -0.56 * pen, "font-size": 0.15 * pen,
+    class: "inlet-name", x: 1000 * inletPlace(body, k)[0], y: -0.56 * pen,
   }, name.length > 12 ? `${name.slice(0, 11)}…` : name)) : [];
-  svg.append(trace, clampMark(pen), tubes, ...cells, spine, ...inlets, tip, ...names);
+  const ground = body.ground ? [drawn("path", { class: "ground touched", "stroke-width": 0.03 * pen, d: pathOf(body.ground.outline.flat()) })] : [];
+  // The page's own size of text would win over the attribute.
+  names.forEach((name) => { name.style.fontSize = `${0.15 * pen}px`; });
+  svg.append(...ground, trace, clampMark(pen), tubes, ...cells, spine, ...inlets, tip, ...names);
   host.append(svg);
+  if (body.ground) host.append(element("p", { class: "hint ground-words" }, body.ground.words));
   return { svg, cells, tubes, spine, tip, inlets, trace, body, scale, frame: framesOf(body), cellOf: cellsOf(body.bellows), columns: columnsOf(body) };
 }
 

@@ -25,11 +25,24 @@ function column(array, index) {
   return Float64Array.from({ length: array.shape[0] }, (_, row) => array.values[row * width + index]);
 }
 
+function rowOf(array, row) {
+  return array.values.subarray(row * array.shape[1], (row + 1) * array.shape[1]);
+}
+
+function shapeAt(run, row) {
+  const size = 2 * run.shape.shape[1], first = size * run.shape_of.values[row];
+  return run.shape.values.subarray(first, first + size);
+}
+
 function readRun() {
-  const run = JSON.parse(document.getElementById("run").textContent);
+  return unpackedRun(JSON.parse(document.getElementById("run").textContent));
+}
+
+const RUN_ARRAYS = ["rows", "time", "tip", "inlet_pressure", "pressure", "flow", "arc", "shape", "shape_of"];
+
+function unpackedRun(run) {
   if (!run.time) return { ...run, count: 0 };
-  const names = ["rows", "time", "tip", "inlet_pressure", "pressure", "flow", "arc", "shape", "shape_of"];
-  for (const name of names) run[name] = unpacked(run[name]);
+  for (const name of RUN_ARRAYS) if (run[name]) run[name] = unpacked(run[name]);
   run.band = run.band && { ...run.band, covariance: unpacked(run.band.covariance) };
   run.count = run.time.values.length;
   run.sections = run.bellows.length / 2;

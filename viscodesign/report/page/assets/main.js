@@ -14,14 +14,13 @@ function start() {
 }
 
 function showMotion(run) {
-  const body = { arc: run.arc.values, sections: run.sections, width: run.width, widths: run.widths, bellows: run.bellows, inlets: run.inlets,
-    tubes: run.all_tubes, junctions: junctionsOf(run.all_tubes, run.bellows, run.inlets) };
+  const body = bodyOf(run);
   const pressures = [...extremes(run.pressure.values), ...extremes(run.inlet_pressure.values)];
   const scale = pressureScale(Math.min(...pressures), Math.max(...pressures)), room = roomOf(run.shape.values, run.width);
   const view = makeActuator(byId("actuator"), body, room, scale, "The actuator in motion, its bellows coloured by gauge pressure");
   view.trace.setAttribute("d", pathThrough(column(run.tip, 0).map((v) => 1e3 * v), column(run.tip, 1).map((v) => 1e3 * v)));
   drawScale(byId("pressure-scale"), scale);
-  const tip = makeTipPath(byId("tip-path"), run), instant = makeInstant(run);
+  const tip = makeTipPath(byId("tip-path"), run), instant = instantOf(run);
   const player = makePlayer(run, (row) => showRow(row));
   const charts = makeCharts(byId("charts"), run, (time) => { setPlaying(player, false); seek(player, nearestRow(run.time.values, time)); });
   const sketch = makeSketch(run, body, room, scale, tip, () => layout(true));
@@ -56,15 +55,6 @@ function printWhole() {
     for (const own of opened) own.open = true;
   });
   window.addEventListener("afterprint", () => { for (const own of opened) own.open = false; });
-}
-
-function shapeAt(run, row) {
-  const size = 2 * run.shape.shape[1], first = size * run.shape_of.values[row];
-  return run.shape.values.subarray(first, first + size);
-}
-
-function rowOf(array, row) {
-  return array.values.subarray(row * array.shape[1], (row + 1) * array.shape[1]);
 }
 
 start();

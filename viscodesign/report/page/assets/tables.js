@@ -17,31 +17,43 @@ function millimetres(value) {
 // Warnings that say of the whole run that its numbers are not to be used.
 const DOUBTS = ["unresolved_motion"];
 
-function showHead(run) {
-  const { summary } = run, mark = summary.status === "complete" ? "" : `${summary.status.toUpperCase()}: `;
-  document.title = `${mark}${summary.name}`;
-  byId("name").textContent = summary.name;
-  byId("meaning").textContent = `Quadrant ${summary.quadrant}: ${summary.meaning}. viscodesign ${summary.version}.`;
-  document.body.classList.add(`run-${summary.status}`);
-  const banners = byId("banners");
-  if (summary.status !== "complete") banners.append(element("p", { class: `banner ${summary.status}`, role: "alert" }, ...brokenWords(run)));
-  if (summary.validity.state === "outside") {
-    const words = summary.validity.reasons.map((reason) => reason.code).filter((code, k, all) => all.indexOf(code) === k);
-    banners.append(element("p", { class: "banner outside" }, element("strong", {}, "Outside of the model's validity"),
-      ` (${words.join(", ")}): the stated error is that of a model that does not hold here.`));
-  }
-  if (run.count === 1) banners.append(element("p", { class: "banner note" }, `One output time only, ${timeWords(run.time.values, 0)}: a state, not a motion.`));
-  for (const doubt of summary.warnings.filter((own) => DOUBTS.includes(own.code))) {
-    banners.append(element("p", { class: "banner outside", role: "alert" }, element("strong", {}, "Not resolved"), `: ${doubt.message}.`));
-  }
-  for (const note of run.notes) banners.append(element("p", { class: "banner note" }, `${note[0].toUpperCase()}${note.slice(1)}.`));
+// Name, status and the words below them, and a box for a place where banners stand.
+function showTitle({ name, status }, words) {
+  document.title = `${status === "complete" ? "" : `${status.toUpperCase()}: `}${name}`;
+  byId("name").textContent = name;
+  byId("meaning").textContent = words;
+  document.body.classList.add(`run-${status}`);
 }
 
-function brokenWords(run) {
-  const { summary } = run, time = run.count ? run.time.values[run.count - 1] : null;
+function banner(kind, ...children) {
+  byId("banners").append(element("p", kind === "note" || kind === "outside" ? { class: `banner ${kind}` } : { class: `banner ${kind}`, role: "alert" }, ...children));
+}
+
+function showNotes(notes) {
+  for (const note of notes) banner("note", `${note[0].toUpperCase()}${note.slice(1)}.`);
+}
+
+function showHead(run) {
+  const { summary } = run;
+  showTitle(summary, `Quadrant ${summary.quadrant}: ${summary.meaning}. viscodesign ${summary.version}.`);
+  if (summary.status !== "complete") banner(summary.status, ...brokenWords(summary.status, run, summary.failure));
+  if (summary.validity.state === "outside") {
+    const words = summary.validity.reasons.map((reason) => reason.code).filter((code, k, all) => all.indexOf(code) === k);
+    banner("outside", element("strong", {}, "Outside of the model's validity"),
+      ` (${words.join(", ")}): the stated error is that of a model that does not hold here.`);
+  }
+  if (run.count === 1) banner("note", `One output time only, ${timeWords(run.time.values, 0)}: a state, not a motion.`);
+  for (const doubt of summary.warnings.filter((own) => DOUBTS.includes(own.code))) {
+    byId("banners").append(element("p", { class: "banner outside", role: "alert" }, element("strong", {}, "Not resolved"), `: ${doubt.message}.`));
+  }
+  showNotes(run.notes);
+}
+
+function brokenWords(status, run, failure) {
+  const time = run.count ? run.time.values[run.count - 1] : null;
   const ended = time === null ? "before its first output time" : `at t = ${shortNumber(time, 6)} s`;
-  const words = summary.status === "failed" ? `This run failed: it ended ${ended}.` : `This run was interrupted: it ended ${ended}.`;
-  return [element("strong", {}, words), " What is shown is the part that was computed. ", summary.failure ? `Reason: ${summary.failure}` : ""];
+  const words = status === "failed" ? `This run failed: it ended ${ended}.` : `This run was interrupted: it ended ${ended}.`;
+  return [element("strong", {}, words), " What is shown is the part that was computed. ", failure ? `Reason: ${failure}` : ""];
 }
 
 const METRIC_UNITS = { m: ["mm", 1e3], m2: ["cm²", 1e4], s: ["s", 1], rad: ["rad", 1] };
@@ -61,9 +73,13 @@ function showWarnings(run, player) {
   host.append(element("p", { class: validity.state === "outside" ? "bad" : "" }, validity.state === "inside"
     ? "The run stays within what its model describes." : "The run leaves what its model describes:"));
   if (validity.reasons.length) host.append(notices(validity.reasons, run, player));
+  listWarnings(warnings, run, player);
+  if (run.summary.more_warnings) byId("warnings").append(element("p", { class: "hint" }, `${run.summary.more_warnings} more are in summary.json.`));
+}
+
+function listWarnings(warnings, run, player) {
   if (warnings.length) byId("warnings").append(element("h3", {}, "Warnings"), notices(warnings, run, player));
   else byId("warnings").append(element("p", {}, "No warnings."));
-  if (run.summary.more_warnings) byId("warnings").append(element("p", { class: "hint" }, `${run.summary.more_warnings} more are in summary.json.`));
 }
 
 function notices(list, run, player) {
@@ -100,41 +116,53 @@ function costWords(cost) {
   return `${shortNumber(total, 3)} s without writing files${parts.length ? `: ${parts.join(", ")}` : ""}; ${cost.steps} steps`;
 }
 
+// Rows of a table: with what it was computed.
+function programRows({ version, python, platform, packages = {} }) {
+  const versions = Object.entries(packages).map(([name, own]) => `${name} ${own}`).join(", ");
+  return [["program", `viscodesign ${version}, Python ${python || "?"}, ${platform || "?"}`], ["packages", versions || "–"]];
+}
+
 function showProvenance(run) {
-  const { summary } = run, { cost, provenance, invariants } = summary, packages = provenance.packages || {};
-  const versions = Object.entries(packages).map(([name, version]) => `${name} ${version}`).join(", ");
+  const { summary } = run, { cost, provenance, invariants } = summary;
   const settings = Object.entries(summary.settings || {}).map(([name, value]) => `${name.replace(/_/g, " ")}: ${value}`).join("; ");
   const rows = [
-    ["program", `viscodesign ${summary.version}, Python ${provenance.python || "?"}, ${provenance.platform || "?"}`],
-    ["packages", versions || "–"], ["settings", settings || "–"],
+    ...programRows({ ...provenance, version: summary.version }), ["settings", settings || "–"],
     ["spec", `SHA-256 ${summary.spec_sha256}`],
     ["cost", costWords(cost)],
     ["balances", `volume ${shortNumber(invariants.volume_imbalance_rel, 2)}, energy ${shortNumber(invariants.energy_imbalance_rel, 2)} (relative)`],
     ["retries", (summary.ladder || []).map((row) => `${shortNumber(row.time_s, 4)} s: ${row.tried} ${row.solved ? "succeeded" : "failed"} (${row.reason})`).join("; ") || "none"],
   ];
-  byId("provenance").append(table(["what", "value"], rows, { label: "provenance" }));
-  byId("spec").textContent = run.spec;
+  tellProvenance(rows, run.spec);
 }
 
-// The table of all values at the cursor; filled while it is open.
-function makeInstant(run) {
-  const details = byId("instant"), host = details.querySelector("div"), most = 64;
-  const cells = [], cell = () => { const made = element("td", { class: "number" }); cells.push(made); return made; };
-  const rows = [["time [s]", cell()], ["tip x [mm]", cell()], ["tip z [mm]", cell()], ["tip angle [deg]", cell()],
-    ...run.inlets.map((name) => [`pressure, ${run.inlets.length > 1 ? `inlet ${name}` : "inlet"} [kPa]`, cell()]),
-    ...run.bellows.slice(0, most).map((name) => [`pressure, ${name} [kPa]`, cell()]),
-    ...run.tubes.map((name) => [`flow, ${name} [mL/s]`, cell()])];
-  const body = rows.map(([name, made]) => element("tr", {}, element("th", { scope: "row" }, name), made));
+function tellProvenance(rows, spec) {
+  byId("provenance").append(table(["what", "value"], rows, { label: "provenance" }));
+  byId("spec").textContent = spec;
+}
+
+// The table of all values at the cursor, filled while it is open; lines are [name, text of a row].
+function makeInstant(lines, note = "") {
+  const details = byId("instant"), host = details.querySelector("div");
+  const cells = lines.map(() => element("td", { class: "number" }));
+  const body = lines.map(([name], k) => element("tr", {}, element("th", { scope: "row" }, name), cells[k]));
   host.append(element("table", { class: "instant" }, element("tbody", {}, ...body)));
-  if (run.bellows.length > most) host.append(element("p", { class: "hint" }, `The first ${most} of ${run.bellows.length} bellows; all are in trajectory.csv.`));
-  const decimals = timeDecimals(run.time.values);
-  const fill = (row) => {
-    const at = (array, k) => array.values[row * array.shape[1] + k];
-    const texts = [fixedNumber(run.time.values[row], decimals), ...[0, 1].map((k) => fixedNumber(1e3 * at(run.tip, k), 3)), fixedNumber((180 / Math.PI) * at(run.tip, 2), 2),
-      ...run.inlets.map((_, k) => fixedNumber(at(run.inlet_pressure, k) / 1e3, 3)),
-      ...run.bellows.slice(0, most).map((_, k) => fixedNumber(at(run.pressure, k) / 1e3, 3)),
-      ...run.tubes.map((_, k) => fixedNumber(1e6 * at(run.flow, k), 4))];
-    texts.forEach((text, k) => { cells[k].textContent = text; });
-  };
+  if (note) host.append(element("p", { class: "hint" }, note));
+  const fill = (row) => lines.forEach(([, text], k) => { cells[k].textContent = text(row); });
   return { details, fill };
+}
+
+// One line for a column of an array, times a factor.
+function valueLine(name, array, k, factor, decimals) {
+  return [name, (row) => fixedNumber(factor * array.values[row * (array.shape[1] || 1) + k], decimals)];
+}
+
+const MOST_LISTED = 64;
+
+function instantOf(run) {
+  const lines = [valueLine("time [s]", run.time, 0, 1, timeDecimals(run.time.values)), ...["x", "z"].map((name, k) => valueLine(`tip ${name} [mm]`, run.tip, k, 1e3, 3)),
+    valueLine("tip angle [deg]", run.tip, 2, 180 / Math.PI, 2),
+    ...run.inlets.map((name, k) => valueLine(`pressure, ${run.inlets.length > 1 ? `inlet ${name}` : "inlet"} [kPa]`, run.inlet_pressure, k, 1e-3, 3)),
+    ...run.bellows.slice(0, MOST_LISTED).map((name, k) => valueLine(`pressure, ${name} [kPa]`, run.pressure, k, 1e-3, 3)),
+    ...run.tubes.map((name, k) => valueLine(`flow, ${name} [mL/s]`, run.flow, k, 1e6, 4))];
+  return makeInstant(lines, run.bellows.length > MOST_LISTED ? `The first ${MOST_LISTED} of ${run.bellows.length} bellows; all are in trajectory.csv.` : "");
 }
