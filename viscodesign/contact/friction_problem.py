@@ -7,8 +7,9 @@ sought that satisfy
 
 where n and t are the normal and tangential parts of f. With as many contacts as a robot has feet
 the states of all contacts are few: given them, forces follow from one linear system, and whether
-they satisfy every condition is plain. The states are sought by pivoting from a guess, then by
-Gauss-Seidel sweeps over the contacts, and at last by trying all of them: the answer is exact.
+they satisfy every condition is plain. The states are sought by pivoting from a guess, then
+near it, then by Gauss-Seidel sweeps over the contacts, and at last by trying all of them: the
+answer is exact.
 
 Source: the conditions are those of Signorini and Coulomb, as in J. J. Moreau, Unilateral contact
 and dry friction in finite freedom dynamics, 1988.
@@ -79,8 +80,8 @@ class FrictionProblem:
         ``guess``: states from which to begin. Raises `ContactError`.
         """
         for states in self._candidates(guess):
-            forces = self.forces(states)
-            if forces is not None and self._better(states, forces) == states:
+            forces, better = self._judged(states)
+            if forces is not None and better == states:
                 return forces, states
         raise ContactError("no contact states satisfy Signorini's and Coulomb's conditions")
 
@@ -89,6 +90,7 @@ class FrictionProblem:
         start = (OPEN,) * self.count if guess is None else tuple(map(int, guess))
         yield from self._pivoted(start, one_by_one=False)
         yield from self._pivoted(start, one_by_one=True)
+        yield from _neighbours(start)
         swept = self._swept()
         yield swept
         yield from self._pivoted(swept, one_by_one=True)
@@ -137,11 +139,22 @@ class FrictionProblem:
         while states not in seen and len(seen) < MAX_PIVOTS:
             seen.add(states)
             yield states
-            forces = self.forces(states)
+            forces, better = self._judged(states)
             if forces is None:
                 return
-            better = self._better(states, forces)
             states = _first_change(states, better) if one_by_one else better
+
+    def _judged(self, states: States) -> tuple[np.ndarray | None, States]:
+        """Forces for given states, and the states that they call for."""
+        if states not in self._known:
+            forces = self.forces(states)
+            self._known[states] = forces, () if forces is None else self._better(states, forces)
+        return self._known[states]
+
+    @cached_property
+    def _known(self) -> dict[States, tuple[np.ndarray | None, States]]:
+        """States that were judged before."""
+        return {}
 
     def _better(self, states: States, forces: np.ndarray) -> States:
         """The states that forces call for; the same where they are as they should be."""
@@ -175,26 +188,37 @@ class FrictionProblem:
 
     def _swept(self) -> States:
         """States after Gauss-Seidel sweeps over the contacts, each solved exactly by itself."""
-        forces, states = np.zeros(2 * self.count), [OPEN] * self.count
+        forces, states, own = np.zeros(2 * self.count), [OPEN] * self.count, self._single
         for _ in range(MAX_SWEEPS):
             before = forces.copy()
-            for k in range(self.count):
-                self._sweep_one(k, forces, states)
+            for k, (places, block) in enumerate(own):
+                rest = self.compliance[places] @ forces - block @ forces[places] + self.free[places]
+                single = FrictionProblem(block, rest, (self.friction[k],))
+                for state in EVERY:
+                    found, better = single._judged((state,))
+                    if found is not None and better == (state,):
+                        forces[places], states[k] = found, state
+                        break
             if np.max(np.abs(forces - before)) <= VIOLATION_REL_TOL * np.max(np.abs(forces)):
                 break
         return tuple(states)
 
-    def _sweep_one(self, k: int, forces: np.ndarray, states: list[int]) -> None:
-        """Solve one contact with the forces of the others as they are."""
-        own = [k, self.count + k]
-        block = self.compliance[np.ix_(own, own)]
-        rest = self.compliance[own] @ forces - block @ forces[own] + self.free[own]
-        single = FrictionProblem(block, rest, (self.friction[k],))
-        for state in EVERY:
-            found = single.forces((state,))
-            if found is not None and single._better((state,), found) == (state,):
-                forces[own], states[k] = found, state
-                return
+    @cached_property
+    def _single(self) -> list[tuple[list[int], np.ndarray]]:
+        """Places of every contact, and its part of the compliance (2, 2)."""
+        places = [[k, self.count + k] for k in range(self.count)]
+        return [(own, self.compliance[np.ix_(own, own)]) for own in places]
+
+
+def _neighbours(states: States) -> Iterator[States]:
+    """States in which one contact differs, then two."""
+    for changed in (1, 2):
+        for places in itertools.combinations(range(len(states)), changed):
+            for others in itertools.product(EVERY, repeat=changed):
+                made = list(states)
+                for place, other in zip(places, others, strict=True):
+                    made[place] = other
+                yield tuple(made)
 
 
 def _first_change(states: States, better: States) -> States:

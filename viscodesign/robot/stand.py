@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import cache
 
 import numpy as np
 from scipy.optimize import brentq
@@ -32,7 +31,10 @@ LOWEST_GAUGE = -0.8
 WEIGHT_GROWTH = 1.25
 WEIGHT_RANGE = 1e3
 """Least and largest weight that are tried, over the robot's own."""
-SWAY_REL_TOL = 5e-4
+NEAR_GROWTH = 1.004
+"""Of the first step away from a weight that other limits point to."""
+SWAY_REL_TOL = 1e-3
+"""Width of the range in which the limit is, over it; its middle is stated."""
 
 
 def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) -> StandStudy:
@@ -51,10 +53,7 @@ def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) 
     return StandStudy(
         name=scene.name,
         own=own,
-        by_gauge=tuple(
-            statics.row(float(gauge), scene.robot.payload)
-            for gauge in np.linspace(0.0, largest, GAUGES)
-        ),
+        by_gauge=statics.rows(np.linspace(0.0, largest, GAUGES).tolist(), scene.robot.payload),
         by_payload=tuple(statics.row(scene.gauge_pressure, share * room) for share in PAYLOADS),
         crouch=crouch,
         pump=pump,
@@ -87,11 +86,19 @@ class _Statics:
         model = with_mass(self.model, weight / self.gravity)
         pressures = np.full(len(model.source_names), gauge)
         stable = self._stable.setdefault(gauge, {})
+        if weight in stable:
+            return stable[weight]
         lighter = max((known for known in stable if known <= weight), default=None)
         found = stance(model, pressures, None if lighter is None else stable[lighter])
         if found.is_stable:
             stable[weight] = found
         return found
+
+    def rows(self, gauges: Sequence[float], payload: float) -> tuple[StanceRow, ...]:
+        """Rows by gauge pressure, found from the spec's own outward."""
+        outward = sorted(gauges, key=lambda gauge: abs(gauge - self.scene.gauge_pressure))
+        found = {gauge: self.row(gauge, payload) for gauge in outward}
+        return tuple(found[gauge] for gauge in gauges)
 
     def row(self, gauge: float, payload: float) -> StanceRow:
         """A row of a table."""
@@ -108,27 +115,50 @@ class _Statics:
         return StanceRow(gauge, payload, weight, height, pitch, roll, limit, stiffness)
 
     def _sway_limit(self, gauge: float) -> float:
-        """Weight from which on the robot sways; 0 of one that slides [N]."""
+        """Weight from which on the robot sways; 0 of one that slides [N].
+
+        From where the limits found so far point to, both ways until the limit lies between two
+        weights, and then by halves: where contacts change, stiffness does not fall to zero.
+        """
         if self._slide is not None:
             return 0.0
+        own = self.model.weight
+        guess, growth = self._pointed_to(gauge), WEIGHT_GROWTH
+        if guess:
+            growth = NEAR_GROWTH
+        low = high = guess or own
+        if self._bears(gauge, low):
+            while self._bears(gauge, high := low * growth):
+                low, growth = high, min(growth**2, WEIGHT_GROWTH)
+                if high > WEIGHT_RANGE * own:
+                    return math.inf
+        else:
+            while not self._bears(gauge, low := high / growth):
+                high, growth = low, min(growth**2, WEIGHT_GROWTH)
+                if low < self._feet_weight() or low < own / WEIGHT_RANGE:
+                    return 0.0
+        while high - low > SWAY_REL_TOL * low:
+            middle = (low + high) / 2
+            low, high = (middle, high) if self._bears(gauge, middle) else (low, middle)
+        return (low + high) / 2
 
-        @cache
-        def stiffness(weight: float) -> float:
-            try:
-                return self.at(gauge, weight).sway_stiffness
-            except UnstableStanceError:
-                return -1.0
+    def _bears(self, gauge: float, weight: float) -> bool:
+        """Whether the legs bear a weight [N] at a gauge pressure [Pa]."""
+        try:
+            return self.at(gauge, weight).is_stable
+        except UnstableStanceError:
+            return False
 
-        low = high = next(reversed(self._limits.values()), 0.0) or self.model.weight
-        while stiffness(high) > 0.0:
-            low, high = high, high * WEIGHT_GROWTH
-            if high > WEIGHT_RANGE * self.model.weight:
-                return math.inf
-        while stiffness(low) <= 0.0:
-            low, high = low / WEIGHT_GROWTH, low
-            if low < self._feet_weight() or low < self.model.weight / WEIGHT_RANGE:
-                return 0.0
-        return float(brentq(stiffness, low, high, xtol=SWAY_REL_TOL * low, rtol=SWAY_REL_TOL))
+    def _pointed_to(self, gauge: float) -> float:
+        """The limit at a gauge pressure by those at the nearest ones; 0 where there is none [N]."""
+        near = sorted(self._limits, key=lambda known: abs(known - gauge))[:2]
+        known = [self._limits[own] for own in near]
+        if not all(0.0 < limit < math.inf for limit in known):
+            return 0.0
+        if len(near) < 2:
+            return known[0] if near else 0.0
+        share = (gauge - near[0]) / (near[1] - near[0])
+        return float(known[0] * (known[1] / known[0]) ** share)
 
     def _feet_weight(self) -> float:
         return self.model.count * self.model.feet.mass * self.gravity

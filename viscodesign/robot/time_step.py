@@ -18,6 +18,7 @@ from viscodesign.contact.friction_problem import ContactError, FrictionProblem, 
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.robot.leg_equations import LOAD
+from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.robot_model import (
     LegGroup,
     LegStates,
@@ -25,6 +26,30 @@ from viscodesign.robot.robot_model import (
     RobotModel,
     linearised,
 )
+
+
+@dataclass(frozen=True, eq=False)
+class Trend:
+    """What the steps before tell of the next one, of the same length."""
+
+    step: float
+    """[s]"""
+    faster: np.ndarray
+    """Change of the velocity (size,)."""
+    last: tuple[np.ndarray, ...]
+    """Change of load and pressures in the last step, by group (l, m)."""
+    expected: tuple[np.ndarray, ...]
+    """The same in the next step, in line with the last two."""
+
+    @classmethod
+    def of(
+        cls, step: float, faster: np.ndarray, last: tuple[np.ndarray, ...], before: Trend | None
+    ) -> Trend:
+        """After a step; ``before``: what was told at its beginning."""
+        if before is None or before.step != step:
+            return cls(step, faster, last, last)
+        pairs = zip(last, before.last, strict=True)
+        return cls(step, faster, last, tuple(2 * own - older for own, older in pairs))
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,13 +67,18 @@ class RobotState:
     contact_states: States
     drawn: np.ndarray
     """Out of each source since the start, as volume at ambient density [m3]."""
+    trend: Trend | None = None
+    """None where no step led to it."""
 
 
 MAX_ITERATIONS = 25
 IMPLICITNESS = 0.5
 """Share of a step's flows that are those at its end: smooth flows are integrated to order 2."""
 PLACE_TOLERANCE = 3e-6
-"""Last Newton step of a place [m, rad]; the error left is of the order of its square."""
+"""Last Newton step of a place, rotations by `ROTATION_LENGTH` [m]; the error left is of the order
+of its square."""
+ROTATION_LENGTH = 0.02
+"""About the radius of a foot [m]."""
 PRESSURE_TOLERANCE = 3e-5
 """Last Newton step of a pressure, relative to the ambient pressure."""
 
@@ -77,13 +107,15 @@ class StepSolver:
         self.model, self.step, self.halvings = model, step, halvings
         self._numbers = (IMPLICITNESS * step, model.damping_time / step)
         self._inertia = np.diag(model.masses / step**2)
+        self._lengths = np.ones(model.size)
+        self._lengths[[2, 3, *range(BODY + 2, model.size, FOOT)]] = ROTATION_LENGTH
         self.iterations = 0
         """Newton steps so far."""
 
     def advance(self, now: RobotState, sources: np.ndarray) -> RobotState:
         """The state a step later; ``sources``: their gauge pressures then [Pa]."""
         begun = tuple(self._begun(own) for own in now.legs)
-        place, legs = now.place + self.step * now.velocity, begun
+        place, legs = self._expected(now, begun)
         states, pressures = now.contact_states, [sources[g.sources][:, None] for g in self.groups]
         for _ in range(MAX_ITERATIONS):
             self.iterations += 1
@@ -109,6 +141,16 @@ class StepSolver:
             time_s=now.time,
             remedy="Legs may be near buckling; lower the payload or the gauge pressure",
         )
+
+    def _expected(
+        self, now: RobotState, begun: tuple[LegStates, ...]
+    ) -> tuple[np.ndarray, tuple[LegStates, ...]]:
+        """Place and legs from which to begin: they go on as in the step before."""
+        trend = now.trend
+        if trend is None or trend.step != self.step:
+            return now.place + self.step * now.velocity, begun
+        legs = tuple(_moved(own, change) for own, change in zip(begun, trend.expected, strict=True))
+        return now.place + self.step * (now.velocity + trend.faster), legs
 
     def halved(self) -> StepSolver:
         """Steps of half the length."""
@@ -175,7 +217,7 @@ class StepSolver:
         return solved[:, 0] + solved[:, 1:] @ forces, forces, states
 
     def _is_done(self, change: np.ndarray, steps: Sequence[np.ndarray]) -> bool:
-        if np.max(np.abs(change)) > PLACE_TOLERANCE:
+        if np.max(np.abs(change) * self._lengths) > PLACE_TOLERANCE:
             return False
         ambient = self.groups[0].functions.design.fluid.ambient
         return all(np.max(np.abs(s[:, LOAD:])) <= PRESSURE_TOLERANCE * ambient for s in steps)
@@ -200,8 +242,13 @@ class StepSolver:
             mean = IMPLICITNESS * inflow + (1 - IMPLICITNESS) * before.inflow
             np.add.at(drawn, group.sources, self.step * mean[:, -1])
         velocity = (place - now.place) / self.step
+        changes = tuple(
+            np.hstack([own.load - older.load, own.pressure - older.pressure])
+            for own, older in zip(after, now.legs, strict=True)
+        )
+        trend = Trend.of(self.step, velocity - now.velocity, changes, now.trend)
         return RobotState(
-            now.time + self.step, place, velocity, tuple(after), forces, states, drawn
+            now.time + self.step, place, velocity, tuple(after), forces, states, drawn, trend
         )
 
 
