@@ -46,6 +46,9 @@ class SpringSymbols(ChainSymbols):
         bending = self.EI * self.tributary_lengths * self._curvature() ** 2 / 2
         return ca.vertsplit(bending + self.EA * self.h * self.elastic_stretch**2 / 2)
 
+    def stored_energies(self) -> list[SX]:
+        return self.elastic_energies()
+
     def node_angles(self) -> SX:
         after = ca.vertcat(self.turns[1:], self.turns[-1])
         return ca.cumsum(self.turns) + after / 2

@@ -232,9 +232,16 @@ class ChainSymbols(RodSymbols):
         after = ca.vertcat(c[1:], self.tip_curvature)
         square = self.bending_softness * (c**2 + c * after + ca.vertcat(c[1:], 0) ** 2)
         bending = self.EI * (c * self.elastic_turns - self.h / 6 * square)
+        bending[-1] -= self.tip_moment * self._kappa[-1] * self.h / 2
         drawn = self.extension_softness * tau / 2
         extension = self.EA * self.h * tau * (self.elastic_stretch - drawn)
         return ca.vertsplit(bending + extension)
+
+    def stored_energies(self) -> list[SX]:
+        # What the moment at the tip stores in the last edge, which turns the tip beyond the node.
+        moment, soft = self.tip_moment, self.bending_softness[-1]
+        beyond = soft * (self.elastic_curvature[-1] + self.tip_curvature) / 6 + self._kappa[-1] / 2
+        return [*self.elastic_energies(), moment * self.h * beyond]
 
     def outputs(self) -> dict[str, SX]:
         return {

@@ -233,7 +233,15 @@ class RodSymbols(ABC):
         """Elastic energies of the parts of the rod [J], each local.
 
         Their sum is stationary in the internal unknowns; its gradient in the coordinates is minus
-        the internal forces.
+        the internal forces, and that in the intrinsic strains minus what is conjugate to them.
+        """
+
+    @abstractmethod
+    def stored_energies(self) -> list[SX]:
+        """What the parts store [J], that of a moment at the tip included.
+
+        Where loads change slowly, their sum changes by the work of the loads and of the intrinsic
+        strains alone; the moment does its work along `tip_angle`.
         """
 
     @abstractmethod

@@ -333,13 +333,12 @@ class RodEquations:
             "intrinsic_curvature": rod.intrinsic_curvature,
             "intrinsic_stretch": rod.intrinsic_stretch,
             "kinetic_energy": system.kinetic_energy.total,
-            "load_energy": system.load_potential.total
-            - self._dead_moment() * total(rod.tip_turns()),
+            "load_energy": system.load_potential.total - self._dead_moment() * rod.tip_angle,
             "contact_force": self.contact_forces,
             "contact_path": contact_paths(system.contacts),
         }
         if self.form is not RodForm.ARCS:
-            found |= rod.outputs() | {"elastic_energy": total(rod.elastic_energies())}
+            found |= rod.outputs() | {"elastic_energy": total(rod.stored_energies())}
         return found
 
 

@@ -19,11 +19,12 @@ from viscodesign.model.rod_equations import CONTACT_FORCES, RodForm
 from viscodesign.solve.contact_formulas import (
     filled,
     friction_coefficients,
+    implicit_residual,
     implicit_step,
     placed,
     powers_and_paths,
 )
-from viscodesign.solve.numerics.dense_or_sparse import Matrix, dense, solver_of
+from viscodesign.solve.numerics.dense_or_sparse import Matrix, Solve, dense, solver_of
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Instant, Start
 from viscodesign.storage.cached_property import cached_property
@@ -41,6 +42,8 @@ class ContactNewton:
     round_off_tol: float = 1e-6
     """Correction below which stagnation is round-off of a stiff problem."""
     max_iterations: int = 15
+    reuse_ratio: float = 0.1
+    """Of a correction to the one before, above which derivatives are made anew."""
     max_move: float = 0.1
     """Move of a massless rod within a step, in lengths of the rod, beyond which it may have
     jumped to another equilibrium."""
@@ -69,6 +72,37 @@ class ContactPose:
     """Integrals of powers so far, over the size of an energy (nq,)."""
 
 
+@dataclass(eq=False)
+class _Slopes:
+    """Derivatives of a step, its equations solved for the unknowns besides the forces."""
+
+    duration: float
+    solve: Solve
+    """The inverse of the equations by these unknowns."""
+    follow: np.ndarray
+    """How the unknowns go with the forces (n, 2c)."""
+    pull: np.ndarray
+    """How gaps and slips go with the unknowns (2c, n)."""
+    compliance: np.ndarray
+    """How gaps and slips go with the forces, the unknowns following (2c, 2c)."""
+    is_old: bool = False
+    """Whether an iteration was done with them before."""
+
+    @classmethod
+    def of(cls, matrix: Matrix, count: int, duration: float) -> _Slopes:
+        """From all derivatives. Raises `LinAlgError`."""
+        solve = solver_of(matrix[:count, :count])
+        follow = solve(dense(matrix[:count, count:]))
+        pull = dense(matrix[count:, :count])
+        return cls(duration, solve, follow, pull, dense(matrix[count:, count:]) - pull @ follow)
+
+
+def _finite(rows: np.ndarray) -> np.ndarray:
+    if not np.all(np.isfinite(rows)):
+        raise np.linalg.LinAlgError("the residual is not finite there")
+    return rows
+
+
 class ContactEuler:
     """Implicit Euler steps of one problem."""
 
@@ -81,6 +115,9 @@ class ContactEuler:
         self.count = self.states + equations.algebraics.count
         """Number of unknowns besides the forces of contact."""
         self._step = equations.taped(implicit_step)
+        self._residual = equations.taped(implicit_residual)
+        self._slopes: _Slopes | None = None
+        """Derivatives that the next iteration may use."""
         self._powers = equations.taped(powers_and_paths)
         self._pattern = self._step.sparsities[1]
         self.calls = 0
@@ -144,17 +181,21 @@ class ContactEuler:
     def _solved(
         self, here: ContactPose, at: Instant, duration: float, guess: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Unknowns and states of the contacts at the end of a step, by Newton's iteration."""
+        """Unknowns and states of the contacts at the end of a step, by Newton's iteration.
+
+        Derivatives are those of an earlier step of the same length, as long as the corrections
+        shrink fast with them.
+        """
         known = np.zeros(self.count + 2 * self.contacts)
         known[: self.states] = here.unknowns[: self.states]
         known[self.count + self.contacts :] = here.slips
-        y, states, size = guess, tuple(here.touching.tolist()), np.inf
+        y, states, size, tail = guess, tuple(here.touching.tolist()), np.inf, self._tail(at)
+        if self._slopes is not None and self._slopes.duration != duration:
+            self._slopes = None
         for _ in range(NEWTON.max_iterations):
-            rows, matrix = self._linearised(y, at, duration)
-            if not np.all(np.isfinite(rows)):
-                break
             try:
-                step, states = self._correction(y, rows - known, matrix, states)
+                rows, slopes = self._around(y, tail, duration)
+                step, states = self._correction(y, rows - known, slopes, states)
             except (np.linalg.LinAlgError, ContactError):
                 break
             y = y + step
@@ -164,32 +205,40 @@ class ContactEuler:
             following = size * min(1.0, size / before) if np.isfinite(before) else size
             if following <= NEWTON.correction_tol or is_stagnant:
                 return y, np.array(states)
+            if slopes.is_old and size > NEWTON.reuse_ratio * before:
+                self._slopes = None
+            slopes.is_old = True
+        self._slopes = None
         raise StepError(f"no solution of a step to t = {at[0]:.6g} s was found")
 
+    def _around(
+        self, y: np.ndarray, tail: list[np.ndarray], duration: float
+    ) -> tuple[np.ndarray, _Slopes]:
+        """Residuals, then gaps and slips (n + 2c,), and their derivatives, which may be older.
+
+        Raises `LinAlgError` where there are none.
+        """
+        x, z, forces = np.split(y, [self.states, self.count])
+        given = [np.concatenate([x, forces]), z, *tail, np.array([duration])]
+        if self._slopes is not None:
+            (rows,) = self._residual.rows(given, 1)
+            return _finite(filled(rows, self._residual.sparsities[0])[0]), self._slopes
+        self.calls += 1
+        rows, entries = self._step.rows(given, 1)
+        found = _finite(filled(rows, self._step.sparsities[0])[0])
+        self._slopes = _Slopes.of(placed(entries[0], self._pattern), self.count, duration)
+        return found, self._slopes
+
     def _correction(
-        self, y: np.ndarray, rows: np.ndarray, matrix: Matrix, states: States
+        self, y: np.ndarray, rows: np.ndarray, slopes: _Slopes, states: States
     ) -> tuple[np.ndarray, States]:
         """The step (n + 2c,) by which the linearised equations and the laws of contact hold."""
         n = self.count
-        answer = solver_of(matrix[:n, :n])(np.column_stack([rows[:n], dense(matrix[:n, n:])]))
-        back, follow = answer[:, 0], answer[:, 1:]
-        pull = dense(matrix[n:, :n])
-        compliance = dense(matrix[n:, n:]) - pull @ follow
-        free = rows[n:] - pull @ back - compliance @ y[n:]
-        forces, states = FrictionProblem(compliance, free, self._friction).solve(states)
+        back = slopes.solve(rows[:n, None])[:, 0]
+        free = rows[n:] - slopes.pull @ back - slopes.compliance @ y[n:]
+        forces, states = FrictionProblem(slopes.compliance, free, self._friction).solve(states)
         change = forces - y[n:]
-        return np.concatenate([-back - follow @ change, change]), states
-
-    def _linearised(
-        self, y: np.ndarray, at: Instant, duration: float
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Residuals, then gaps and slips (n + 2c,), and all their derivatives."""
-        self.calls += 1
-        x, z, forces = np.split(y, [self.states, self.count])
-        given = [np.concatenate([x, forces]), z, *self._tail(at), np.array([duration])]
-        rows, entries = self._step.rows(given, 1)
-        matrix = placed(entries[0], self._pattern)
-        return filled(rows, self._step.sparsities[0])[0], matrix
+        return np.concatenate([-back - slopes.follow @ change, change]), states
 
     @cached_property
     def _friction(self) -> list[float]:

@@ -33,17 +33,30 @@ def filled(values: np.ndarray, pattern: ca.Sparsity) -> np.ndarray:
 def implicit_step(e: Formulas) -> ca.Function:
     """(x, z, *tail, duration) -> (residuals, then gaps and slips; their Jacobian).
 
+    Unknowns: states but for the forces of contact, algebraic unknowns, forces of contact.
+    """
+    arguments, rows, unknowns = _implicit(e)
+    return ca.Function("implicit", arguments, [rows, jacobian(rows, unknowns)])
+
+
+def implicit_residual(e: Formulas) -> ca.Function:
+    """(x, z, *tail, duration) -> residuals, then gaps and slips."""
+    arguments, rows, _ = _implicit(e)
+    return ca.Function("implicit_residual", arguments, [rows])
+
+
+def _implicit(e: Formulas) -> tuple[list[SX], SX, SX]:
+    """Arguments, rows and unknowns of a step.
+
     Residuals: states minus their rates times the duration, of which those at the start of the step
-    are to be subtracted, then the algebraic equations. Unknowns: states but for the forces of
-    contact, algebraic unknowns, forces of contact.
+    are to be subtracted, then the algebraic equations.
     """
     duration = SX.sym("duration")
     x, z = e.states.vector, e.algebraics.vector
     own, forces = ca.vertsplit(x, [0, e.states.blocks[CONTACT_FORCES].start, x.numel()])
     rates = e.ode[: own.numel()]
     rows = ca.densify(ca.vertcat(own - duration * rates, e.alg, e.contact_paths))
-    results = [rows, jacobian(rows, ca.vertcat(own, z, forces))]
-    return ca.Function("implicit", [x, z, *e.tail, duration], results)
+    return [x, z, *e.tail, duration], rows, ca.vertcat(own, z, forces)
 
 
 def powers_and_paths(e: Formulas) -> ca.Function:

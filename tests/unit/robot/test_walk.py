@@ -303,7 +303,8 @@ def test_a_robot_that_sways_does_not_start() -> None:
 
 def test_files_of_a_gait(study: WalkStudy, tmp_path: Path) -> None:
     files = write_walk(study, tmp_path / "out", pictures=picture_options("svg", "paper"))
-    assert {file.name for file in files} == {"walk.csv", "summary.json", "spec.yaml", "walk.svg"}
+    tables = {"walk.csv", "summary.json", "spec.yaml"}
+    assert {file.name for file in files} == {*tables, "report.html", "walk.svg"}
     table = np.genfromtxt(tmp_path / "out" / "walk.csv", delimiter=",", names=True)
     assert table.dtype.names is not None
     assert len(table) == len(study.motion.rows)
