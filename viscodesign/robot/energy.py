@@ -27,7 +27,7 @@ SIMPSON = np.array([1.0, 4.0, 1.0]) / 6
 """Weights of the points of a section."""
 
 
-class EnergyLedger:
+class GaitEnergyLedger:
     """Works, losses and stored energy of consecutive steps."""
 
     def __init__(self, model: RobotModel) -> None:

@@ -11,7 +11,7 @@ from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.gait_energy import GaitEnergy
 from viscodesign.results.robot_motion import RobotMotion
-from viscodesign.robot.energy import EnergyLedger
+from viscodesign.robot.energy import GaitEnergyLedger
 from viscodesign.robot.leg_network import barrel_volume
 from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.robot_model import RobotModel
@@ -79,7 +79,7 @@ def march(
     sources = pressures(times)
     solver = StepSolver(model, plan.period / plan.per_cycle)
     table = StepTable(model, len(times))
-    states, worst, now, ledger = [start], 0.0, start, EnergyLedger(model)
+    states, worst, now, ledger = [start], 0.0, start, GaitEnergyLedger(model)
     table.put(0, start)
     stop: BaseException | None = None
     for k in range(1, len(times)):
