@@ -11,8 +11,8 @@ class GaitEnergy:
 
     Works are by ``pump`` (of all sources), ``coupling`` (of bellows whose volume under load is not
     reciprocal to their strain under pressure: no body of elastic material does it) and
-    ``friction`` (on the feet, never positive). Losses are in the ``tubes``, by ``damping`` of the
-    legs, in ``impacts`` of feet, and by the ``steps`` of the solution, which vanish with them.
+    ``friction`` (on the feet, never positive). Losses are in the ``tubes``, in the ``material`` of
+    the legs, in ``impacts`` of feet, and by the ``steps`` of the solution, which vanish with them.
     """
 
     work_j: dict[str, float]

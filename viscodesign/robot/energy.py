@@ -22,7 +22,7 @@ from viscodesign.robot.time_step import Step
 BLOCK = 100
 """Steps that are balanced at once."""
 WORKS = ("pump", "coupling", "friction")
-LOSSES = ("tubes", "damping", "impacts", "steps")
+LOSSES = ("tubes", "material", "impacts", "steps")
 SIMPSON = np.array([1.0, 4.0, 1.0]) / 6
 """Weights of the points of a section."""
 
@@ -73,12 +73,12 @@ class GaitEnergyLedger:
         step = np.array([own.solver.step for own in steps])
         friction, impacts, stepped, moved = self._of_bodies(steps)
         legs = [self._of_legs(index, group, steps) for index, group in enumerate(self.model.groups)]
-        pump, coupling, tubes, damping, rod_steps, elastic, fluid = np.sum(legs, axis=0)
+        pump, coupling, tubes, material, rod_steps, elastic, fluid = np.sum(legs, axis=0)
         begin = np.array([own.begun.time for own in steps])
         self._blocks.append(
             np.column_stack([
                 *(begin + step, pump, coupling, friction),
-                *(tubes, damping, impacts, stepped + rod_steps),
+                *(tubes, material, impacts, stepped + rod_steps),
                 *(moved, elastic, fluid),
             ])
         )  # fmt: skip
