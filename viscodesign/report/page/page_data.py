@@ -43,7 +43,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
         "bellows": run.bellows,
         "all_tubes": tube_ends(run, scene),
         "total_rows": len(run.time),
-        "ground": _ground(run),
+        "surface": _ground(run),
         "notes": list(run.notes),
     }
     return {**data, **_motion(run, scene)} if len(run.time) else data

@@ -12,7 +12,7 @@ const MERGED_SECTIONS = 140, LONGEST_PIECE = 4, USUAL_HEIGHT = 400, MOST_SPINE =
 // The actuator of a run.
 function bodyOf(run) {
   return { arc: run.arc.values, sections: run.sections, width: run.width, widths: run.widths, bellows: run.bellows, inlets: run.inlets,
-    tubes: run.all_tubes, junctions: junctionsOf(run.all_tubes, run.bellows, run.inlets), ground: run.ground };
+    tubes: run.all_tubes, junctions: junctionsOf(run.all_tubes, run.bellows, run.inlets), surface: run.surface };
 }
 
 // Room that all shapes take: {left, right, top, bottom} in metres, z downwards.
@@ -45,12 +45,12 @@ function makeActuator(host, body, room, scale, label) {
   const names = body.inlets.length > 1 ? body.inlets.map((name, k) => drawn("text", {
     class: "inlet-name", x: 1000 * inletPlace(body, k)[0], y: -0.56 * pen,
   }, name.length > 12 ? `${name.slice(0, 11)}…` : name)) : [];
-  const ground = body.ground ? [drawn("path", { class: "ground touched", "stroke-width": 0.03 * pen, d: pathOf(body.ground.outline.flat()) })] : [];
+  const ground = body.surface ? [drawn("path", { class: "ground touched", "stroke-width": 0.03 * pen, d: pathOf(body.surface.outline.flat()) })] : [];
   // The page's own size of text would win over the attribute.
   names.forEach((name) => { name.style.fontSize = `${0.15 * pen}px`; });
   svg.append(...ground, trace, clampMark(pen), tubes, ...cells, spine, ...inlets, tip, ...names);
   host.append(svg);
-  if (body.ground) host.append(element("p", { class: "hint ground-words" }, body.ground.words));
+  if (body.surface) host.append(element("p", { class: "hint ground-words" }, body.surface.words));
   return { svg, cells, tubes, spine, tip, inlets, trace, body, scale, frame: framesOf(body), cellOf: cellsOf(body.bellows), columns: columnsOf(body) };
 }
 

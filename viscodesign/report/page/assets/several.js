@@ -17,7 +17,7 @@ function readSeveral() {
 
 function showSeveralHead(found) {
   const { summary } = found;
-  showTitle(summary, `${found.actuators.length} actuators that share nothing but their sources. viscodesign ${summary.version}.`);
+  showTitle(summary, `${found.actuators.length} actuators side by side. viscodesign ${summary.version}.`);
   if (summary.status !== "complete") banner(summary.status, element("strong", {}, summary.status === "failed" ? "Not all of them have a whole run." : "It was interrupted: not all of them have a whole run."),
     " What is shown is the part that was computed. ", summary.failure || "");
   for (const [name, why] of Object.entries(summary.failures)) if (!(summary.failure || "").includes(name)) banner("failed", element("strong", {}, `${name}: `), why);
