@@ -199,6 +199,11 @@ class RodEquations:
             (rod.tip_moment, self._dead_moment() + system.contact_moment),
         ]
 
+    def _moment_work(self) -> SX:
+        """What the dead moment at the tip can do [J]; several rods have none."""
+        moment = self._dead_moment()
+        return SX(0) if moment.is_zero() else moment * self.rod.tip_angle
+
     def _dead_moment(self) -> SX:
         return self.system.load_factor * self.system.tip_moment
 
@@ -333,7 +338,7 @@ class RodEquations:
             "intrinsic_curvature": rod.intrinsic_curvature,
             "intrinsic_stretch": rod.intrinsic_stretch,
             "kinetic_energy": system.kinetic_energy.total,
-            "load_energy": system.load_potential.total - self._dead_moment() * rod.tip_angle,
+            "load_energy": system.load_potential.total - self._moment_work(),
             "contact_force": self.contact_forces,
             "contact_path": contact_paths(system.contacts),
         }

@@ -120,6 +120,9 @@ class SeveralRodsSymbols(RodSymbols):
     def elastic_energies(self) -> list[SX]:
         return [energy for own in self.rods for energy in own.elastic_energies()]
 
+    def stored_energies(self) -> list[SX]:
+        return [energy for own in self.rods for energy in own.stored_energies()]
+
     def outputs(self) -> dict[str, SX]:
         each = [own.outputs() for own in self.rods]
         return {name: ca.vertcat(*(own[name] for own in each)) for name in each[0]}
