@@ -12,8 +12,8 @@ from matplotlib.colors import Colormap, Normalize
 from matplotlib.patches import Rectangle
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.ground_outline import ground_outline, ground_words
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
-from viscodesign.report.layout.ground_outline import ground_outline, ground_words
 from viscodesign.report.layout.label_placement import POINTS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.pressure_colours import pressure_colours

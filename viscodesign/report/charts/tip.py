@@ -10,9 +10,9 @@ from matplotlib.collections import LineCollection, PolyCollection
 from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_instants import draw_instants
 from viscodesign.report.charts.tip_path import draw_path, time_range
+from viscodesign.report.ground_outline import ground_outline, ground_words
 from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
-from viscodesign.report.layout.ground_outline import ground_outline, ground_words
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
 from viscodesign.report.layout.style import TIME_DIGITS, Target, axes_at, head, head_room, picture

@@ -11,9 +11,9 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
 from viscodesign.report.film.film_plan import FilmOptions
+from viscodesign.report.ground_outline import ground_outline
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
 from viscodesign.report.layout.downsampling import envelope
-from viscodesign.report.layout.ground_outline import ground_outline
 from viscodesign.report.layout.look import drawn_as, look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes

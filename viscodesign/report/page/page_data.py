@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.report.layout.ground_outline import ground_outline, ground_words
+from viscodesign.report.ground_outline import ground_outline, ground_words
 from viscodesign.report.page.packed_arrays import packed, packed_coordinates
 from viscodesign.report.page.shown_rows import (
     ShownRows,

@@ -7,7 +7,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.report.layout.ground_outline import ground_outline
+from viscodesign.report.ground_outline import ground_outline
 from viscodesign.scene.ground import Ground
 
 PLACE = "input={kind: constant, value: 0}"

@@ -15,6 +15,10 @@ function readSeveral() {
   return found;
 }
 
+function endOf(time) {
+  return time[time.length - 1];
+}
+
 function showSeveralHead(found) {
   const { summary } = found;
   showTitle(summary, `${found.actuators.length} actuators side by side. viscodesign ${summary.version}.`);
