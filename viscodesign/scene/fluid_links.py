@@ -97,7 +97,8 @@ def moves_alike(scene: SeveralScene, source: str) -> bool:
     inlets = [own for one in fed for own in scene.sources_of(one).values() if own == source]
     ends = {node for tube in scene.tubes or () for node in (tube.start, tube.end)}
     return (
-        len(inlets) == len(fed)
+        bool(fed)
+        and len(inlets) == len(fed)
         and source not in ends
         and not reached_by_tubes(scene) & set(fed)
         and given.shared_by(len(fed)) is not None

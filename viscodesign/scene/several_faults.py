@@ -113,7 +113,16 @@ def link_faults(scene: SeveralScene) -> Iterator[KeyFault]:
 
 
 def lost_faults(scene: SeveralScene) -> Iterator[KeyFault]:
-    """Nodes between actuators that lead to none of them."""
+    """Nodes between actuators that lead to none of them, and inputs that feed nothing."""
+    ends = {node for tube in scene.tubes or () for node in (tube.start, tube.end)}
+    followed = {own.source for own in scene.inputs.values() if isinstance(own, SameInput)}
+    for name in scene.inputs:
+        if name not in ends | followed and not scene.fed_by(name):
+            yield KeyFault(
+                ("inputs", name),
+                "feeds nothing; name it as the source of an actuator, lead a tube from it, or "
+                "remove it",
+            )
     if lost := lost_nodes(scene):
         some = next(iter(scene.actuators))
         yield KeyFault(

@@ -102,7 +102,7 @@ def test_crouch_ratios_are_checked() -> None:
 
 def test_no_stance_below_vacuum() -> None:
     with pytest.raises(
-        SpecError, match=r"gauge_pressure: the lowest pressure, .* is -48.67 kPa absolute"
+        SpecError, match=r"gauge_pressure: -150 kPa gauge at .* is -48.67 kPa absolute"
     ):
         stand(hexapod("gauge_pressure=-150 kPa"))
 

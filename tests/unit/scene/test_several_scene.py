@@ -247,3 +247,11 @@ def test_a_junction_of_its_own_may_have_a_dot() -> None:
 def test_an_empty_mapping_is_called_empty(key: str) -> None:
     with pytest.raises(SpecError, match=f"{key}: empty; at least one is needed"):
         load_several(spec(**{key: {}}))
+
+
+def test_an_input_that_feeds_nothing_is_told() -> None:
+    """Also where a tube was to lead from it, but names another node."""
+    spec = yaml.safe_load((CONFIGS / "two_legs.yaml").read_text())
+    spec["tubes"][0]["from"] = "Q"
+    with pytest.raises(SpecError, match=r"inputs\.A: feeds nothing; name it as the source"):
+        load_several(spec)
