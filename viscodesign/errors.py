@@ -172,12 +172,23 @@ def described(given: Any) -> str:
 
 
 def did_you_mean(word: Any, known: Iterable[str]) -> str:
-    """'; did you mean 'x'?' for the closest known word, or nothing."""
-    close = difflib.get_close_matches(str(word), list(known), n=1, cutoff=0.6)
+    """'; did you mean 'x'?' for the closest known word, or nothing.
+
+    A known word of two letters must agree nearly: "none" has both letters of "on".
+    """
+    words = list(known)
+    close = [name for name in words if name.lower() == str(word).lower() != name]
+    close = close or difflib.get_close_matches(str(word), words, n=3, cutoff=0.6)
+    close = [name for name in close if len(name) > 2 or _nearly(str(word), name)]
     return f"; did you mean '{close[0]}'?" if close else ""
 
 
-def not_among(given: Any, known: Iterable[str]) -> str:
-    """The message for a value that is none of the known words."""
+def _nearly(word: str, name: str) -> bool:
+    return difflib.SequenceMatcher(None, name.lower(), word.lower()).ratio() >= 0.75
+
+
+def not_among(given: Any, known: Iterable[str], otherwise: str = "") -> str:
+    """The message for a value that is none of the known words, nor what is allowed otherwise."""
     words = list(known)
-    return f"must be one of {', '.join(words)}; got {described(given)}{did_you_mean(given, words)}"
+    allowed = ", ".join(words) + (f"; or give {otherwise}" if otherwise else "")
+    return f"must be one of {allowed}; got {described(given)}{did_you_mean(given, words)}"

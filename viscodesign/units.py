@@ -84,7 +84,8 @@ class QuantityKind:
         except GrammarError as error:
             if not str(error) and not any(char.isdigit() for char in text):
                 raise self._invalid(f"'{_shown(text)}' has no number") from None
-            raise self._unreadable(text, str(error)) from None
+            hint = unit_hint(text, self) if str(error).endswith("is not a unit") else ""
+            raise self._unreadable(text, str(error) + hint) from None
         if found.unit and found.has_difference and self.unit == "K":
             raise self._invalid(f"'{text}' is a difference of temperatures")
         if found.unit in _NO_UNITS:

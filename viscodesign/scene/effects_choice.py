@@ -28,7 +28,7 @@ class EffectsChoice(SpecPart):
             return given
         if not isinstance(given, dict):
             if (mode := _mode(given)) is None:
-                raise invalid(not_among(given, MODES) + "; or give a mapping of effect: mode")
+                raise invalid(not_among(given, MODES, "a mapping of effect: mode"))
             return {"modes": {}, "others": mode}
         raise_faults(_faults(given, info.context or {}))
         modes = {str(k): _mode(v) for k, v in given.items()}

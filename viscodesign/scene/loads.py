@@ -55,4 +55,4 @@ class Loads(SpecPart):
             return given
         if isinstance(switched := switch(given), bool):
             return {} if switched else None
-        raise invalid(not_among(given, ("off", "on")) + "; or give a mapping of acceleration, tilt")
+        raise invalid(not_among(given, ("off", "on"), "a mapping of acceleration, tilt"))

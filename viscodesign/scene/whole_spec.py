@@ -34,6 +34,8 @@ STANDARD_ATMOSPHERE = 101325.0
 """[Pa]"""
 DEFAULT_ACCURACY = 0.005
 """Default accuracy, as a part of the actuator's length."""
+_DEVICE = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\..*)?", re.IGNORECASE)
+"""Names of Windows devices, which are files in every folder, whatever stands behind a dot."""
 LEAST_ACCURACY = 1e-7
 """The smallest that a spec may ask for, in lengths of the actuator."""
 
@@ -92,6 +94,8 @@ class WholeSpec(SpecPart):
     def _usable_as_folder(cls, name: str) -> str:
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._+-]*( [A-Za-z0-9._+-]+)*", name):
             raise invalid(f"'{name}' cannot name a folder; use letters, digits, '_', '-', '.', '+'")
+        if name.endswith(".") or _DEVICE.fullmatch(name):
+            raise invalid(f"'{name}' cannot name a folder on Windows; choose another name")
         return name
 
     @field_validator("loads", mode="before", check_fields=False)

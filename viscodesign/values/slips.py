@@ -84,9 +84,8 @@ _SLIPS: tuple[tuple[str, str], ...] = (
 
 def slip(text: str) -> str:
     """What was probably meant by a text outside of the grammar; '' if nothing is known."""
-    if odd := next((c for c in text if _is_look_alike(c)), None):
-        name = unicodedata.name(odd, "an unnamed character").lower()
-        return f"contains {name} (U+{ord(odd):04X}); use ordinary digits, signs and spaces"
+    if odd := next((c for c in text if is_look_alike(c)), None):
+        return f"contains {named(odd)}; use ordinary digits, signs and spaces"
     if not any(c.isnumeric() for c in text):
         return ""
     for pattern, words in _SLIPS:
@@ -96,10 +95,24 @@ def slip(text: str) -> str:
     return ""
 
 
-def _is_look_alike(char: str) -> bool:
+def is_look_alike(char: str) -> bool:
     """Characters beyond ASCII that look like a digit, a sign or a space, or stand for several."""
     if char.isascii() or char in "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹":
         return False
     return (
-        unicodedata.category(char) in ("Nd", "No", "Nl", "Zs", "Cf") or char in "−‐‑‒．，＋－＿٫٬"
+        unicodedata.category(char) in ("Nd", "No", "Nl", "Zs", "Cf") or char in "−‐‑‒．，：＋－＿٫٬"
     )
+
+
+def odd_letter(text: str) -> str:
+    """The first character of a word that only looks like its letters, by name; '' if none does.
+
+    Words of specs are ASCII, and of other letters units have only micro, ohm and ångström.
+    """
+    odd = next((c for c in text if not c.isascii() and c not in "µμΩΩÅÅ°·⋅²³"), None)
+    return named(odd) if odd else ""
+
+
+def named(char: str) -> str:
+    """The Unicode name and number of a character."""
+    return f"{unicodedata.name(char, 'an unnamed character').lower()} (U+{ord(char):04X})"

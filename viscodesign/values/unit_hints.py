@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from typing import Protocol
 
 from viscodesign.common_units import value_in_si
+from viscodesign.values.slips import odd_letter
 
 _MEANT = {
     "K": {
@@ -17,6 +19,11 @@ _MEANT = {
         "f": "degF",
         "deg": "degC",
         "°": "degC",
+        "oC": "degC",
+        "oF": "degF",
+        "˚C": "degC",
+        "˚F": "degF",
+        "R": "degR",
     },
     "rad": {"degC": "deg", "degrees": "deg", "%": "deg"},
     "Hz": {"rpm": "Hz"},
@@ -28,8 +35,8 @@ _MEANT = {
 }
 """Units that are read as something else or as nothing, and what was meant, by SI unit."""
 _SPELLED = {
-    "m": "m mm cm um km inch",
-    "Pa": "Pa hPa kPa MPa GPa bar mbar psi atm mmHg",
+    "m": "m mm cm um km inch in micron",
+    "Pa": "Pa hPa kPa MPa GPa bar mbar psi atm mmHg torr",
     "s": "s ms us min h",
     "Hz": "Hz kHz mHz",
     "rad": "rad deg mrad",
@@ -37,7 +44,7 @@ _SPELLED = {
     "N": "N mN kN",
     "kg": "kg g mg",
     "kg/m^3": "kg/m^3 g/cm^3 g/mL kg/L",
-    "Pa*s": "Pa*s mPa*s cP uPa*s",
+    "Pa*s": "Pa*s mPa*s cP uPa*s poise",
     "m^3": "mL L uL m^3 mm^3 cm^3",
     "m/s": "m/s mm/s",
     "V": "V mV",
@@ -53,7 +60,10 @@ _REFERENCE = re.compile(r"\b(abs|gauge|gage|rel)(?:olute|ative)?\b", re.IGNORECA
 _GRAMS = {"g": 1e-3, "kg": 1.0}
 _KINEMATIC = {"cSt": 1e-6, "St": 1e-4, "mm^2/s": 1e-6, "mm2/s": 1e-6, "m^2/s": 1.0, "m2/s": 1.0}
 """Units of kinematic viscosity [m2/s]."""
-_VALUE = re.compile(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([^\W\d].*|%|°.*)\s*", re.DOTALL)
+_VALUE = re.compile(
+    r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*([^\W\d].*|[%°˚℃℉\"㎛㎜㎝㎡㎥㎎㎏㎪㎫].*)\s*",
+    re.DOTALL,
+)
 
 
 class KeyKind(Protocol):
@@ -89,8 +99,20 @@ def unit_hint(text: str, wanted: KeyKind) -> str:
     if re.search(r"\bNm\b", spelled):
         together = re.sub(r"\(Nm\)|\bNm\b", "(N*m)", spelled)
         return f"; did you mean '{number} {together}'?"
-    meant = _MEANT.get(wanted.unit, {}).get(spelled) or _other_case(spelled, wanted.unit)
+    meant = _meant(spelled, wanted.unit) or _meant(_plain(spelled), wanted.unit)
+    if not meant and (odd := odd_letter(spelled)):
+        return f"; the unit contains {odd}"
     return f"; did you mean '{number} {meant}'?" if meant else ""
+
+
+def _meant(spelled: str, unit: str) -> str:
+    return _MEANT.get(unit, {}).get(spelled) or _other_case(spelled, unit)
+
+
+def _plain(spelled: str) -> str:
+    """A unit without its full stop, inches in a word, and signs that stand for letters as these."""
+    words = spelled.replace('"', "inch").removesuffix(".").strip()
+    return words if "˚" in words else unicodedata.normalize("NFKC", words).replace("°", "deg")
 
 
 def _by_reference(number: str, spelled: str, words: list[str], wanted: KeyKind) -> str:
@@ -115,7 +137,7 @@ def _by_density(number: str, spelled: str) -> str:
 def _other_case(spelled: str, unit: str) -> str:
     """The same letters in other cases as a common unit of this kind; the first letter's stays."""
     names = _SPELLED.get(unit, "").split()
-    same = [name for name in names if name.lower() == spelled.lower() and name != spelled]
+    same = [name for name in names if name.lower() == spelled.lower()]
     same.sort(key=lambda name: name[0] != spelled[0])
     return next((name for name in same if value_in_si("1", name, unit) is not None), "") or next(
         iter(same), ""

@@ -8,16 +8,29 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from viscodesign.errors import Fault, described, did_you_mean, not_among
+from viscodesign.errors import (
+    MAX_LISTED_FAULTS,
+    Fault,
+    described,
+    did_you_mean,
+    not_among,
+)
 from viscodesign.scene.cross_checks import cross_check
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
 from viscodesign.scene.pump import PUMP_KINDS
 from viscodesign.scene.reading.allowed_values import allowed_at
 from viscodesign.scene.reading.document import Document
-from viscodesign.scene.reading.field_lookup import example_of, field_at, keys_beside, quantity_of
+from viscodesign.scene.reading.field_lookup import (
+    example_of,
+    field_at,
+    is_key_of_a_kind,
+    keys_beside,
+    quantity_of,
+)
 from viscodesign.scene.several import OWN, SAME
 from viscodesign.scene.spec_part import KeyFault, KeyPath
+from viscodesign.values.slips import odd_letter
 
 _BOUNDS = {
     "greater_than": ("gt", "above"),
@@ -80,13 +93,16 @@ _NOT_REPORTED = "default_factory_not_called"
 
 
 def explain_validation(error: ValidationError, document: Document) -> list[Fault]:
-    """Every fault within a section."""
-    return [
-        _located(found._replace(path=(*_key_path(detail, document), *found.path)), document)
-        for detail in error.errors(include_url=False)
-        if detail["type"] != _NOT_REPORTED
-        for found in _key_faults(detail, document)
-    ]
+    """Every fault within a section; of unknown keys that no message lists, the place alone."""
+    faults: list[Fault] = []
+    for detail in error.errors(include_url=False):
+        path = _key_path(detail, document)
+        if detail["type"] == "extra_forbidden" and len(faults) >= MAX_LISTED_FAULTS:
+            faults.append(Fault("no such key", ".".join(path), *document.place(path)))
+        elif detail["type"] != _NOT_REPORTED:
+            found = _key_faults(detail, document)
+            faults += [_located(f._replace(path=(*path, *f.path)), document) for f in found]
+    return faults
 
 
 def explain_cross_checks(
@@ -168,11 +184,15 @@ def _unknown_key(path: KeyPath, document: Document) -> str:
     known = keys_beside(path, document)
     hint = (
         _other_quantity(path[-1], known)
+        or _in_another_section(path, document)
         or did_you_mean(path[-1], known)
         or _in_a_section(path, known, document)
     )
+    odd = odd_letter(path[-1])
     stop = "" if hint else "."
-    return f"no such key{hint}" + (f"{stop} Allowed here: {', '.join(known)}" if known else "")
+    return f"no such key{f' (contains {odd})' if odd else ''}{hint}" + (
+        f"{stop} Allowed here: {', '.join(known)}" if known else ""
+    )
 
 
 def _other_quantity(given: str, known: list[str]) -> str:
@@ -193,6 +213,22 @@ def _in_a_section(path: KeyPath, sections: list[str], document: Document) -> str
             return f"; did you mean '{section}.{path[-1]}'?"
         if hint := _other_quantity(path[-1], known):
             return hint.replace("'", f"'{section}.", 1)
+    return ""
+
+
+def _in_another_section(path: KeyPath, document: Document) -> str:
+    """A hint for a key of this name that stands outside of its section, or in one other alone."""
+    for depth in range(len(path) - 1):
+        outside = (*path[:depth], path[-1])
+        around = keys_beside(outside, document)
+        if path[-1] in around:
+            return f"; did you mean '{'.'.join(outside)}', outside of '{path[depth]}'?"
+        if is_key_of_a_kind(path[-1]):  # perhaps it is left from another kind
+            continue
+        places = [(*path[:depth], name, path[-1]) for name in around if name != path[depth]]
+        meant = [place for place in places if path[-1] in keys_beside(place, document)]
+        if len(meant) == 1:
+            return f"; did you mean '{'.'.join(meant[0])}'?"
     return ""
 
 

@@ -50,6 +50,11 @@ def keys_beside(path: KeyPath, document: Document) -> list[str]:
     return list(_fields(model)) if model is not None else []
 
 
+def is_key_of_a_kind(key: str) -> bool:
+    """Whether a section that comes in kinds has a key of this name in one of them."""
+    return any(key in _fields(kind) for _, kinds, _ in FAMILIES for kind in kinds.values())
+
+
 def _fields(model: type[BaseModel]) -> dict[str, FieldInfo]:
     return {found.alias or name: found for name, found in model.model_fields.items()}
 

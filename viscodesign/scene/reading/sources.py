@@ -72,7 +72,7 @@ def text_spec(text: bytes, shown: str, file: Path | None = None) -> ReadSpec:
 
 def is_text(source: str) -> bool:
     """Whether a string is a spec itself and not the path of one."""
-    return not source or "\n" in source or source.lstrip().startswith("{")
+    return not source or "\n" in source or "\r" in source or source.lstrip().startswith("{")
 
 
 def _from_open(stream: OpenFile) -> ReadSpec:

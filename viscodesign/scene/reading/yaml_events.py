@@ -9,6 +9,7 @@ from typing import Any
 import yaml
 
 from viscodesign.errors import Fault, SpecError
+from viscodesign.scene.reading.syntax_slips import syntax_slip
 
 MAX_DEPTH = 32
 TOO_DEEP = f"nested too deeply, more than {MAX_DEPTH} levels"
@@ -77,16 +78,10 @@ def _syntax_fault(error: yaml.YAMLError, file: str, text: str) -> Fault:
         problem = "contains bytes that are not text"
     if "nesting depth" in problem:  # the parser's own limit, from PyYAML 6.0.4 on
         return Fault(TOO_DEEP, file=file, line=line)
-    if line is not None and _is_indented_by_tab(text, line):
-        problem = "indented with a tab, which YAML does not allow; use spaces"
-    return Fault(f"not YAML: {problem}", file=file, line=line)
-
-
-def _is_indented_by_tab(text: str, line: int) -> bool:
-    """Whether a line (from 1) begins with white space that contains a tab."""
-    lines = text.splitlines()
-    found = lines[line - 1] if line <= len(lines) else ""
-    return "\t" in found[: len(found) - len(found.lstrip())]
+    slip = syntax_slip(text, line or 1)
+    return Fault(
+        f"not YAML: {slip[1] if slip else problem}", file=file, line=slip[0] if slip else line
+    )
 
 
 def line_of(event: yaml.Event) -> int:

@@ -96,7 +96,7 @@ def test_files_that_are_not_specs(tmp_path: Path, text: str | bytes, words: str)
         ("accuracy: 0.5 %", "accuracy: 50", ["a percentage needs its sign"]),
         ("accuracy: 0.5 %", "accuracy: 0.5 %\naccuracy: 1 %", ["accuracy", "duplicate key, first defined on line"]),
         ("accuracy: 0.5 %", "acuracy: 0.5 %", ["acuracy", "did you mean 'accuracy'"]),
-        ("  gravity: off", "  gravity: sideways", ["loads.gravity", "one of off, on; got 'sideways'; or give a mapping"]),
+        ("  gravity: off", "  gravity: sideways", ["loads.gravity", "one of off, on; or give a mapping of acceleration, tilt; got 'sideways'"]),
         ("  gravity: off", "  gravity: onn", ["did you mean 'on'"]),
         ("  gravity: off", "  gravity: {tilt: 3 m}", ["loads.gravity.tilt", "expected an angle"]),
         ("temperature: 15 degC", "temperature: -300 degC", ["temperature", "above 0"]),
