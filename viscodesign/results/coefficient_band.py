@@ -6,12 +6,13 @@ Plain data. To the first order in the deviations of independent numbers.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.results.findings import json_ready
+from viscodesign.results.findings import Notice, json_ready
 from viscodesign.storage.cached_property import cached_property
 
 COVERAGE = 0.95
@@ -19,6 +20,8 @@ COVERAGE_FACTOR = 1.959963984540054
 """Half-width of the middle 95 % of a normal distribution, in standard deviations."""
 STILL_M = 1e-12
 """Half-width below which a band has none [m]."""
+STILL_WORDS = "none: no stated number moves the tip"
+"""What is said of such a band in place of its width."""
 LEAST_ASPECT = 1e-3
 """Width over length below which an ellipse is drawn as if it had that width."""
 BAND_COLUMNS = ("time_s", "tip_x_sd_m", "tip_z_sd_m", "tip_xz_covariance_m2")
@@ -149,3 +152,12 @@ def swept_ellipses(
     corners = ends[:, :, None] + COVERAGE_FACTOR * offset
     reach = np.einsum("enpi,npi->enp", corners, normal)
     return np.asarray(np.where((reach[0] >= reach[1])[..., None], corners[0], corners[1]))
+
+
+def why_no_band(warnings: Iterable[Notice], spec_text: str) -> str:
+    """What is said of the error by the coefficients where a run has no band."""
+    if any(own.code == "no_band" for own in warnings):
+        return "unknown (see the warnings)"
+    if any(line.startswith("uncertainty:") for line in spec_text.splitlines()):
+        return "left out"
+    return "unknown (`uncertainty: typical` gives a first band)"

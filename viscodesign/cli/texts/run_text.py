@@ -8,7 +8,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
 from viscodesign.cli.texts.layout import number, table
-from viscodesign.results.coefficient_band import CoefficientBand
+from viscodesign.results.coefficient_band import STILL_WORDS, CoefficientBand, why_no_band
 from viscodesign.results.findings import RetryAttempt, outside_words
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
@@ -125,21 +125,13 @@ def both_errors(trajectory: Trajectory) -> str:
     error, band = trajectory.accuracy.estimated_tip_error_m, trajectory.uncertainty
     numerical = "not estimated" if error is None else number(1e3 * error, "mm")
     if band is None:
-        known = _why_no_band(trajectory)
+        known = why_no_band(trajectory.warnings, trajectory.spec_text)
     elif band.is_still:
-        known = "none: no stated number moves the tip"
+        known = STILL_WORDS
     else:
         known = f"+-{number(1e3 * band.half_width_m, 'mm')} (95 %, at {_at(band)})"
         known += ", some assumed" if band.is_assumed else ""
     return f"numerical {numerical}; from the coefficients {known}; validity {trajectory.validity}"
-
-
-def _why_no_band(trajectory: Trajectory) -> str:
-    if any(own.code == "no_band" for own in trajectory.warnings):
-        return "unknown (see the warnings)"
-    if any(line.startswith("uncertainty:") for line in trajectory.spec_text.splitlines()):
-        return "left out"
-    return "unknown (`uncertainty: typical` gives a first band)"
 
 
 def _at(band: CoefficientBand) -> str:

@@ -18,6 +18,7 @@ from viscodesign.report.page.shown_rows import (
 )
 from viscodesign.report.page.sketch_numbers import ground_of, scene_of, sketch_numbers, why_not
 from viscodesign.results.coefficient_band import COVERAGE_FACTOR as ELLIPSE_FACTOR
+from viscodesign.results.coefficient_band import STILL_WORDS, why_no_band
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.disk_arrays import rows_at
@@ -45,6 +46,7 @@ def page_data(run: Trajectory) -> dict[str, Any]:
         "total_rows": len(run.time),
         "surface": _ground(run),
         "notes": list(run.notes),
+        "bandless": _bandless(run),
     }
     return {**data, **_motion(run, scene)} if len(run.time) else data
 
@@ -80,10 +82,17 @@ def _ground(run: Trajectory) -> dict[str, Any] | None:
     return {"outline": outline.tolist(), "words": f"Dashed: {ground_words(ground)}."}
 
 
+def _bandless(run: Trajectory) -> str:
+    """What stands in place of the band's width, as the command line says it; empty with a band."""
+    if run.uncertainty is None:
+        return why_no_band(run.warnings, run.spec_text)
+    return STILL_WORDS if run.uncertainty.is_still else ""
+
+
 def _band(run: Trajectory, chosen: ShownRows) -> dict[str, Any] | None:
-    """Variances of the tip at the shown rows, and the factor of its ellipses, where known."""
+    """Variances of the tip at the shown rows, and the factor of its ellipses, where it moves."""
     band = run.uncertainty
-    if band is None:
+    if band is None or band.is_still:
         return None
     known = chosen.rows[chosen.rows < len(band.time)]
     return {"covariance": packed(band.covariance[known]), "factor": ELLIPSE_FACTOR}

@@ -14,9 +14,10 @@ import pytest
 from tests.scenes import CONFIGS
 from tests.trajectories import VERDICTS, ablated_run, made_run, of_scene, with_two_inlets
 from viscodesign import load, simulate
+from viscodesign.cli.texts.run_text import both_errors
 from viscodesign.report.layout.snapshots import normals
 from viscodesign.report.run_folder import write_run
-from viscodesign.results.coefficient_band import CoefficientBand
+from viscodesign.results.coefficient_band import CoefficientBand, UncertainNumber
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Accuracy
 
@@ -443,6 +444,43 @@ def test_the_band_of_the_coefficients_is_drawn_about_the_path(open_page: Open) -
         0.5, abs=0.02
     )  # covariance over both deviations
     assert page.query_selector("svg.tip-path .path") is not None
+
+
+def test_what_is_known_of_the_coefficients_is_told_whole(open_page: Open) -> None:
+    run, rows = made_run(), np.ones((len(made_run().time), 1))
+    known = [
+        UncertainNumber(f"bellows.{name}_per_pressure", 3.413e-9, "m^2/Pa", 3.413e-10, own, share)
+        for name, own, share in (("extension", True, 0.6), ("area", False, 0.3999))
+    ]
+    small = [replace(known[1], key=f"bellows.{name}", share=5e-5) for name in ("width", "height")]
+    band = CoefficientBand(rows * [4e-6, 1e-6, 1e-6], run.time, (*known, *small))
+    page = open_page(replace(run, uncertainty=band), width=1200)
+    table = page.query_selector("[aria-label='Table: uncertain numbers']")
+    assert table.evaluate("own => own.scrollWidth - own.clientWidth") == 0
+    assert len(table.query_selector_all("tbody tr")) == 2
+    assert "10 %, assumed" in table.inner_text()
+    assert "10 %, stated" in table.inner_text()
+    assert "And 2 more, each below 0.05 % of the variance" in page.inner_text("#accuracy")
+    assert page.query_selector("#band-key .key") is not None
+
+
+@pytest.mark.parametrize("known", ["moving", "still", "left out", "failed", "unstated"])
+def test_both_errors_are_told_as_by_the_command_line(known: str, open_page: Open) -> None:
+    run = made_run()
+    number = UncertainNumber("fluid.viscosity", 1.0, "Pa*s", 0.1, True, 1.0)
+    size = np.tile([4e-6, 1e-6, 1e-6], (len(run.time), 1))
+    changes: dict[str, Any] = {
+        "moving": {"uncertainty": CoefficientBand(size, run.time, (number,))},
+        "still": {"uncertainty": CoefficientBand(0 * size, run.time, ())},
+        "left out": {"spec_text": f"uncertainty: typical\n{run.spec_text}"},
+        "failed": {"warnings": (Notice("no_band", "no derivatives", "uncertainty"),)},
+        "unstated": {},
+    }
+    told = replace(run, **changes[known])
+    page = open_page(told)
+    said = f"Both errors: {both_errors(told).replace('+-', '±')}."
+    assert page.inner_text("#both-errors") == said
+    assert (page.query_selector(".tip-path .band") is not None) == (known == "moving")
 
 
 def test_without_a_band_none_is_drawn(open_page: Open) -> None:

@@ -33,37 +33,64 @@ function showAccuracy(run) {
 // What the numbers cost beside what is known of the actuator: never one without the other.
 function showBand(run, host) {
   const { accuracy, uncertainty, validity } = run.summary, stated = accuracy.estimated_tip_error_m;
-  const numerical = stated === null || stated === undefined ? "not estimated" : millimetres(stated);
-  const known = uncertainty
-    ? `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)`
-    : "unknown (uncertainty: typical gives a first band)";
+  const numerical = isKnown(stated) ? millimetres(stated) : "not estimated";
+  // As the command line says it: `both_errors`.
+  const known = run.bandless
+    || `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)${uncertainty.keys.some((own) => own.assumed) ? ", some assumed" : ""}`;
   host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), `: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`));
-  if (!uncertainty) return;
-  const rows = uncertainty.keys.filter((own) => own.share_of_variance >= 0.0005).map((own) => [own.key,
-    `${shortNumber(own.value, 4)} ${own.unit === "1" ? "" : own.unit}`, own.value ? `${shortNumber((100 * own.standard_deviation) / Math.abs(own.value), 3)} %` : `${shortNumber(own.standard_deviation, 3)} ${own.unit}`,
-    own.assumed ? "assumed" : "stated", `${shortNumber(100 * own.share_of_variance, 3)} %`]);
-  if (rows.length) host.append(table(["number", "value", "standard deviation", "known", "share of the variance"], rows, { label: "uncertain numbers" }));
-  host.append(element("p", { class: "hint" }, `Band of the tip by ${uncertainty.method}, at its widest, in the direction that is most uncertain.`));
+  if (run.bandless) return;
+  const named = uncertainty.keys.filter((own) => own.share_of_variance >= LEAST_SHARE);
+  const heads = ["number", "value", "standard deviation", "share of the variance"];
+  if (named.length) host.append(stacked(table(heads, named.map(knownCells), { label: "uncertain numbers" }), heads));
+  host.append(element("p", { class: "hint" }, moreNumbers(uncertainty.keys, named),
+    `Band of the tip by ${uncertainty.method}, at its widest, in the direction that is most uncertain.`));
 }
 
-// Rows with a bar in millimetres on a logarithmic axis; the accuracy is a line. On a narrow screen each row
-// becomes a block, so every part of the table says what it is.
-function barTable(heads, rows, asked, label) {
-  const sizes = rows.flatMap((row) => [row.value, row.measured]).filter((value) => value > 0);
-  const high = 10 ** Math.ceil(Math.log10(Math.max(2 * asked, ...sizes)) + 1e-9), low = Math.min(asked / 1e3, high / 1e5);
-  const at = (value) => 180 * Math.max(0, Math.min(1, Math.log(value / low) / Math.log(high / low)));
-  const made = table(heads, rows.map((row) => [...row.cells, element("td", { class: "bars" }, barOf(row, asked, at)), ...row.after]), { label });
+// Share of the variance below which a number has no row of its own.
+const LEAST_SHARE = 0.0005;
+
+function knownCells(own) {
+  const unit = own.unit === "1" ? "" : ` ${own.unit}`;
+  const deviation = own.value ? `${shortNumber((100 * own.standard_deviation) / Math.abs(own.value), 3)} %` : `${shortNumber(own.standard_deviation, 3)}${unit}`;
+  return [breakable(own.key), numberCell(`${shortNumber(own.value, 4)}${unit}`), numberCell(`${deviation}, ${own.assumed ? "assumed" : "stated"}`, "number loose"),
+    numberCell(`${shortNumber(100 * own.share_of_variance, 3)} %`)];
+}
+
+// A key of the spec, which may be broken behind its dots and underscores.
+function breakable(key) {
+  return element("span", {}, ...key.split(/(?<=[._])/).flatMap((part, k) => (k ? [element("wbr"), part] : [part])));
+}
+
+// What the numbers without a row come to, so that none is missed.
+function moreNumbers(all, named) {
+  const rest = all.length - named.length;
+  if (!rest) return "";
+  return `${named.length ? `And ${rest} more` : `${rest} numbers`}, each below ${shortNumber(100 * LEAST_SHARE, 2)} % of the variance; summary.json has all. `;
+}
+
+// A table whose rows become blocks on a narrow screen, so that every part of it says what it is.
+function stacked(made, heads) {
   made.classList.add("stacked");
   for (const [tags, role] of [["table", "table"], ["thead, tbody", "rowgroup"], ["tr", "row"], ["thead th", "columnheader"], ["tbody th", "rowheader"], ["td", "cell"]]) {
     for (const part of made.querySelectorAll(tags)) part.setAttribute("role", role);
   }
   for (const line of made.querySelectorAll("tbody tr")) [...line.children].forEach((cell, k) => { cell.dataset.head = heads[k]; });
+  return made;
+}
+
+// Rows with a bar in millimetres on a logarithmic axis; the accuracy is a line.
+function barTable(heads, rows, asked, label) {
+  const sizes = rows.flatMap((row) => [row.value, row.measured]).filter((value) => value > 0);
+  const high = 10 ** Math.ceil(Math.log10(Math.max(2 * asked, ...sizes)) + 1e-9), low = Math.min(asked / 1e3, high / 1e5);
+  const at = (value) => 180 * Math.max(0, Math.min(1, Math.log(value / low) / Math.log(high / low)));
+  const made = table(heads, rows.map((row) => [...row.cells, element("td", { class: "bars" }, barOf(row, asked, at)), ...row.after]), { label });
+  stacked(made, heads);
   made.append(element("p", { class: "hint" }, `Bars are logarithmic, from ${millimetres(low)} to ${millimetres(high)}; the line is the requested accuracy, ${millimetres(asked)}.`));
   return made;
 }
 
-function numberCell(text) {
-  return element("td", { class: "number" }, text);
+function numberCell(text, kind = "number") {
+  return element("td", { class: kind }, text);
 }
 
 function barOf(row, asked, at) {

@@ -11,8 +11,12 @@ function makeTipPath(host, run) {
   host.append(element("figcaption", {}, "path of the tip [mm] ",
     element("span", { class: "legend" }, keyOf({ colour: "currentColor" }), "computed ",
       element("span", { id: "sketch-key", hidden: "" }, keyOf({ colour: "currentColor", dashed: true }), "sketch "),
-      run.band ? "shaded: 95 % by what is known of the coefficients" : "")), svg);
+      ...(run.band ? [element("span", { id: "band-key" }, bandKey(), "95 % band by what is known of the coefficients")] : []))), svg);
   return { svg, x, z, sketch: null, band: run.band ? ellipsesOf(run.band, x, z) : [] };
+}
+
+function bandKey() {
+  return drawn("svg", { width: 14, height: 10, class: "key", "aria-hidden": "true" }, drawn("rect", { class: "band", width: 14, height: 10 }));
 }
 
 const ELLIPSES = 200, CORNERS = 32;
