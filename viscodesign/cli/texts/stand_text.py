@@ -48,11 +48,15 @@ def _head() -> list[tuple[str, ...]]:
     return [("gauge", "payload", "weight", "height", "bears", "tip stiffness")]
 
 
+def _mass(kilograms: float) -> str:
+    return number(kilograms, "kg") if kilograms >= 1.0 else number(1e3 * kilograms, "g")
+
+
 def _cells(row: StanceRow, study: StandStudy) -> tuple[str, ...]:
     falls = "sways" if study.fall is None else study.fall.how
     return (
         number(1e-3 * row.gauge_pressure_pa, "kPa"),
-        number(1e3 * row.payload_kg, "g"),
+        _mass(row.payload_kg),
         number(row.weight_n, "N"),
         number(1e3 * row.height_m, "mm") if row.stands else falls,
         number(row.sway_limit_n, "N"),

@@ -69,7 +69,7 @@ def _energy(study: WalkStudy) -> str:
 
 
 def _feet(study: WalkStudy) -> Iterator[tuple[str, ...]]:
-    yield ("foot", "lift", "on the ground", "sliding", "normal force", "friction")
+    yield ("foot, last cycle", "lift", "on the ground", "sliding", "normal force", "friction")
     for name, foot in study.feet.items():
         yield (
             name,

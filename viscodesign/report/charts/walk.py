@@ -57,7 +57,8 @@ def draw_walk(study: WalkStudy, path: Target) -> None:
 def _words(study: WalkStudy) -> str:
     if study.refusal:
         return "no speed is stated"
-    advance = f"{1e3 * study.advance_per_cycle_m:.3g} mm a cycle"
+    way = "forward" if study.advance_per_cycle_m > 0 else "backward"
+    advance = f"{1e3 * abs(study.advance_per_cycle_m):.3g} mm a cycle {way}"
     return f"{advance}, {study.speed_body_lengths_per_s:.2g} body lengths a second"
 
 
