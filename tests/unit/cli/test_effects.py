@@ -94,6 +94,7 @@ def test_the_document_of_one(call: Call) -> None:
         "formula": "rho_a / rho",
         "validity": "A fluid at rest.",
         "source": "Archimedes.",
+        "references": [],
         "keys": ["effects.buoyancy", "ambient.density"],
         "needs": ["gravity"],
         "follows_others": True,
