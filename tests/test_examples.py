@@ -19,7 +19,7 @@ import pytest
 from tests.contract import test_effects as contract
 from tests.scenes import CONFIGS, ROOT
 from viscodesign import effects
-from viscodesign.effects.catalogue import catalogue
+from viscodesign.effects.catalogue import _catalogue
 
 EXTENDING = ROOT / "examples" / "extending"
 LEVEL, RAMP = 10e3, 0.5
@@ -109,14 +109,14 @@ def free(installed: Installation) -> pd.DataFrame:
 def test_the_wall_keeps_the_contract_of_effects(monkeypatch: pytest.MonkeyPatch) -> None:
     """As if its file stood in the family's folder."""
     monkeypatch.setattr(effects, "__path__", [*effects.__path__, str(EXTENDING)])
-    catalogue.cache_clear()
+    _catalogue.cache_clear()
     try:
         contract.test_weight_is_finite_and_explained("wall")
         contract.test_its_contribution_is_estimated("wall")
         contract.test_jacobian_equals_differences("wall")
         contract.test_no_force_at_rest_but_steady_load("wall")
     finally:
-        catalogue.cache_clear()
+        _catalogue.cache_clear()
 
 
 def test_the_wall_holds_the_tip_back(installed: Installation, free: pd.DataFrame) -> None:
