@@ -6,6 +6,7 @@ import math
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -15,14 +16,17 @@ from tests.scenes import LEG_LENGTH, leg
 from viscodesign import Scene, check, classify, effects, simulate
 from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
-from viscodesign.effects.catalogue import catalogue
+from viscodesign.effects.catalogue import _catalogue, catalogue
 from viscodesign.effects.select import select_effects
 from viscodesign.errors import SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
+from viscodesign.model.chain import Chain
+from viscodesign.model.dissipation import is_quadratic
 from viscodesign.model.rod_equations import COORDINATES, RATES, RodForm
+from viscodesign.model.system import System
 from viscodesign.results.findings import Verdict
-from viscodesign.simulation.build_problem import Settings, build
+from viscodesign.simulation.build_problem import Settings, assemble, build
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import equilibrium
 
@@ -72,6 +76,10 @@ def joined(name: str, quantities: SceneQuantities) -> list[Effect]:
 
 def problem_with(*chosen: Effect, edges: int = 1) -> Problem:
     return build(SceneQuantities(leg(*LOADED)), list(chosen), Settings(edges, 1e-6))
+
+
+def assembled(quantities: SceneQuantities, chosen: list[Effect]) -> System:
+    return assemble(quantities, chosen, Chain(quantities.body, 1), quantities.body)
 
 
 def values(problem: Problem, seed: int = 1) -> list[np.ndarray]:
@@ -297,9 +305,9 @@ def tip_drag(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     """A catalogue with one file more; its name."""
     (tmp_path / "tip_drag.py").write_text(NEW_EFFECT)
     monkeypatch.setattr(effects, "__path__", [*effects.__path__, str(tmp_path)])
-    catalogue.cache_clear()
+    _catalogue.cache_clear()
     yield "tip_drag"
-    catalogue.cache_clear()
+    _catalogue.cache_clear()
     sys.modules.pop("viscodesign.effects.tip_drag", None)
 
 
@@ -315,6 +323,34 @@ def test_a_new_effect_is_one_new_file(tip_drag: str) -> None:
         test_no_force_at_rest_but_steady_load,
     ):
         promise(tip_drag)
+    test_a_dissipation_is_quadratic_in_the_rates()
+
+
+def test_a_dissipation_is_quadratic_in_the_rates() -> None:
+    """Then half its gradient is a force whose power it is."""
+    dissipating = set()
+    for name in every_effect():
+        quantities = SceneQuantities(scene_of(name))
+        system = assembled(quantities, joined(name, quantities))
+        if terms := system.dissipation_power.terms:
+            dissipating.add(name)
+            assert is_quadratic(system, terms), name
+    assert "damping" in dissipating
+
+
+@pytest.mark.parametrize("exponent", [1, 2, 3])
+def test_a_dissipation_of_another_degree_is_refused(exponent: int) -> None:
+    """Of an effect from outside the package, by its name and with the contract."""
+    own: dict[str, Any] = {"__name__": "outside"}
+    law = f"(system.rod.velocity[0, -1] ** 2) ** ({exponent} / 2)"
+    exec(NEW_EFFECT.replace("system.rod.velocity[0, -1] ** 2", law), own)
+    effect = own["TipDrag"]()
+    quantities = SceneQuantities(leg())
+    if exponent == 2:
+        assert assembled(quantities, [effect]).dissipation_power.terms
+        return
+    with pytest.raises(SpecError, match=r"effects.tip_drag: .* must be quadratic in the rates"):
+        assembled(quantities, [effect])
 
 
 def test_a_new_effect_without_an_estimate_counts_by_its_weight(tip_drag: str) -> None:

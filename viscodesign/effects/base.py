@@ -134,7 +134,11 @@ class Effect(ABC):
 
     @abstractmethod
     def join(self, system: System) -> None:
-        """Add the term to the system's sums."""
+        """Add the term to the system's sums.
+
+        A dissipation must be quadratic in the rod's rates, P(2v) = 4 P(v): its force is half the
+        gradient of the power. `SpecError` where it is not, of an effect from another package.
+        """
 
     def node_storage(self, node: str, compressible: bool) -> tuple[float, float]:
         """What it makes a node hold: volume at zero gauge [m3], and volume per pressure [m3/Pa].

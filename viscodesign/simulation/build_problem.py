@@ -11,6 +11,7 @@ import numpy as np
 
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.effects.catalogue import every_effect
+from viscodesign.effects.joining import join
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.chain import Chain
@@ -109,7 +110,7 @@ def assemble(
         rod,
     )
     for effect in effects:
-        effect.join(system)
+        join(effect, system)
     return system
 
 
