@@ -40,7 +40,7 @@ def scene_unknowns(scene: Scene, keys: Sequence[str]) -> list[Unknown]:
     """The free numbers of a scene. Raises `SpecError` for keys that cannot be free, or are 0."""
     numbers = FreeKeys(scene, keys).numbers
     faults = [
-        Fault("is 0, from which no fit can start; give it a first guess by --set", own.name)
+        Fault("is 0, and a fit cannot start there; give a first guess with --set", own.name)
         for own in numbers
         if not own.value
     ]
@@ -50,7 +50,7 @@ def scene_unknowns(scene: Scene, keys: Sequence[str]) -> list[Unknown]:
 
 
 def run_unknowns(model: RunModel, run: int) -> Iterator[Unknown]:
-    """The own numbers of a recording: those of its inputs, and its clock where that is free."""
+    """Free numbers of one recording only: those of its inputs, and its clock offset if free."""
     drive: RecordedDrive = model.drive
     numbers = FreeKeys(drive.scene, drive.free).numbers if drive.free else []
     for own in numbers:

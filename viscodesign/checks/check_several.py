@@ -63,7 +63,7 @@ def error_of(name: str, error: SpecError) -> SpecError:
 
 
 def _facts(scene: SeveralScene, name: str) -> list[str]:
-    """What feeds an actuator, and what else that feeds."""
+    """One sentence per inlet of an actuator: its source, and the other actuators on that source."""
     facts = []
     for inlet, source in scene.sources_of(name).items():
         others = [other for other in scene.fed_by(source) if other != name]

@@ -46,7 +46,7 @@ def scene_key(scene: Scene) -> Hashable:
 
 
 class _CodeWalk(Walk):
-    """A walk that reads the code of effects and inputs, too, and to which every number counts."""
+    """A walk whose key also covers the code of effects and inputs, and all numbers by value."""
 
     def _numbers(self, kind: type) -> dict[str, bool]:
         del kind

@@ -118,7 +118,7 @@ class RunSettings(SpecPart):
             )
 
     def unwritten(self) -> tuple[str, ...]:
-        """Output times replace the interval."""
+        """The output interval, if output times override it."""
         return () if self.output_times is None else ("output_interval",)
 
     @property

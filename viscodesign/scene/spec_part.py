@@ -86,7 +86,7 @@ class SpecPart(BaseModel):
         )
 
     def unwritten(self) -> tuple[str, ...]:
-        """Fields that another one replaces, which a resolved spec leaves out."""
+        """Names of fields that a resolved spec leaves out, since another field overrides them."""
         return ()
 
     def model_dump(self, **options: Any) -> dict[str, Any]:
