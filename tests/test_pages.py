@@ -29,8 +29,8 @@ PAGES = [
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
     if page.name not in ELSEWHERE
 ]
-LONG = {"commands.md"}
-"""Pages that take a third of the time of all: the examples of all commands, which their own tests run."""
+LONG = {"commands.md", "contact.md", "several.md"}
+"""Pages that take half of the time of all, for commands and scenes that other tests run."""
 NOT_RUN = {
     "/dev/tty": "needs a pump at a serial port; tests/unit/pump play the same on simulated bytes",
     "--board dynamixel": "needs a pump",

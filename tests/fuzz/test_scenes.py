@@ -8,7 +8,7 @@ from tests.fuzz.trial import check_trial, drawn
 from tests.thorough import ALL
 
 SEED = "every change"
-SCENES = 40 if ALL else 12
+SCENES = 40 if ALL else 8
 
 
 @pytest.mark.parametrize("number", range(SCENES))

@@ -11,6 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.coupled_specs import FLOW_ALONE, LEFT, SINE, coupled_spec, on_one_syringe
+from tests.thorough import ALL
 from viscodesign import SeveralRuns, load, load_several, simulate, simulate_several
 
 TWO_AND_A_TUBE = [{"from": "left.L1", "to": "right.R1", "length": "50 mm", "radius": "1 mm"}]
@@ -56,6 +57,7 @@ def test_each_moves_alone_as_it_does_among_others(syringe: SeveralRuns) -> None:
         assert np.ptp(run.tip[:, :2], axis=0).max() > 2 * run.accuracy.requested_m
 
 
+@pytest.mark.skipif(not ALL, reason="thorough")
 def test_the_order_in_the_spec_changes_nothing(syringe: SeveralRuns) -> None:
     spec = on_one_syringe(effects={"tube_compliance": "off"})
     spec["actuators"] = dict(reversed(spec["actuators"].items()))
@@ -153,6 +155,7 @@ def _tips(pressure: np.ndarray, modulus: float, section: float) -> np.ndarray:
     return place
 
 
+@pytest.mark.skipif(not ALL, reason="thorough")
 def test_a_tube_that_lets_next_to_nothing_through_changes_nothing() -> None:
     thin = [{"from": "left.L1", "to": "right.L1", "length": "1 m", "radius": "10 um"}]
     spec = coupled_spec(tubes=thin, effects={**FLOW_ALONE, "gravity": "on"})

@@ -296,7 +296,7 @@ def test_the_bundled_pump_scenes_exist() -> None:
     assert (CONFIGS / "leg_16_pump_published.yaml").exists()
 
 
-@pytest.mark.parametrize("effects", ["pressure_distribution", "gas_compressibility"])
+@pytest.mark.parametrize("effects", ["gas_compressibility"])
 def test_three_actuators_are_planned_as_three_that_are_fed_alike(effects: str) -> None:
     """Against `pump.feeds`, which knows of them that they are equal, and solves one."""
     spec = yaml.safe_load((CONFIGS / "leg_16_pump.yaml").read_text())

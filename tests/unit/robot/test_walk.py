@@ -13,6 +13,7 @@ import pytest
 
 from tests.robots import hexapod, mirrored, moved
 from tests.scenes import leg
+from tests.thorough import ALL
 from viscodesign import SpecError, WalkStudy, load_robot, simulate, stand, walk
 from viscodesign.cli.main import main
 from viscodesign.cli.texts.walk_text import walk_lines
@@ -113,6 +114,7 @@ def test_a_mirrored_robot_walks_mirrored() -> None:
     np.testing.assert_allclose(other.body[:, 1], own.body[:, 1], atol=1e-9)
 
 
+@pytest.mark.skipif(not ALL, reason="thorough; mirrored front to back is tested")
 def test_left_and_right_swapped_walks_the_same_way() -> None:
     data = hexapod().model_dump()
     for each in data["robot"]["legs"].values():
