@@ -149,6 +149,7 @@ def _walk() -> Any:
         speed_body_lengths_per_s=0.04,
         motion=RobotMotion(
             legs=("LF", "RF", "LM", "RM", "LR", "RR"), sources=("A", "B"), foot_radius=0.015,
+            source_of=(0, 1, 0, 1, 0, 1),
             period=2.0, time=TIME, body=np.column_stack([step * TIME, *[0 * TIME] * 3]),
             feet=np.maximum(1e-3 * turn, 0)[..., None] * [0, 1, 0], normal=np.maximum(-turn, 0),
             friction=0.1 * np.minimum(turn, 0), slip=0 * turn, pressure=turn[:, :2],

@@ -117,7 +117,7 @@ def tube(start: str, end: str, **sizes: Any) -> dict[str, Any]:
         ({"tubes": [tube("A", "lefd.R1")]}, "no such actuator: 'lefd'; did you mean 'left'"),
         ({"tubes": [tube("left.R1", "left.R1")]}, "joins left.R1 to itself"),
         ({"tubes": [tube("A", "A2"), *TREE[1:]]}, "tubes: no actuator is connected to A2"),
-        ({"tubes": TREE[1:]}, "tubes: no input feeds left and right; lead a tube from one (A)"),
+        ({"tubes": TREE[1:]}, "inputs.A: feeds nothing; name it as the source of an actuator, lead a tube"),
         ({"tubes": [*TREE, tube("A", "left.R1", radius=None)]}, "tubes.3.radius: missing; tubes"),
         ({"tubes": [*TREE, tube("J", "K")]}, "no actuator is connected to J, K"),
         ({"uncertainty": "typical"}, "uncertainty: bands of actuators that share fluid"),

@@ -31,6 +31,9 @@ def test_a_verified_run_of_a_known_scene_calls_casadi_rarely(
 
     for name in ("call", "buffer"):
         monkeypatch.setattr(ca.Function, name, counted(name, getattr(ca.Function, name)))
+    symbol = ca.SX.sym("x")
+    ca.Function("probe", [symbol], [symbol]).call([1.0])
+    assert calls == ["call probe"]  # they are counted
     again = simulate(scene)
     assert again.accuracy == first.accuracy
-    assert 0 < len(calls) <= MOST_CALLS, calls
+    assert len(calls) - 1 <= MOST_CALLS, calls

@@ -96,7 +96,6 @@ class PumpPlan:
     achievable: PumpCourse
     wanted_run: Trajectory
     achievable_run: Trajectory
-    actuators: tuple[str, ...]  # the names of several; none for one
     deviation: np.ndarray  # (T,) distance of both tips at the runs' times [m], the largest of all
     clipped: tuple[str, ...]  # what of the wanted motion the pump cannot do, in words
     sweeps: int  # solutions of the achievable motion until it and its pressure agreed
@@ -110,6 +109,8 @@ class PumpPlan:
     panels: tuple[Panel, ...]  # of its picture
     resolved_sha256: str = ""
     """SHA-256 of the resolved spec, with all overrides."""
+    actuators: tuple[str, ...] = ()
+    """The names of several; none for one."""
 
     def __repr__(self) -> str:
         verdict = "feasible" if self.is_feasible else "infeasible"

@@ -13,12 +13,11 @@ possible with robots designed for loads with 1/5 or less of the stall torque".""
 
 @dataclass(frozen=True)
 class ServoType:
-    """A type of servo with the registers of the AX series, in SI, at its rated voltage.
+    """A type of servo of the AX series, in SI, at its rated voltage.
 
-    What all types share is no field: 1024 counts over 300 degrees, speeds in 0.111 rpm, torques in
-    1/1023 of stall, and the addresses of `viscodesign/pump/ax/protocol/registers.py`. A servo with
-    other registers, such as an MX-28 (4096 counts over 360 degrees), would be planned and driven in
-    wrong units: it is a kind of pump of its own.
+    What all types share is no field: 1024 counts over 300 degrees, and the units and addresses that
+    `viscodesign/pump/ax/protocol` has. A servo with others, such as an MX-28 (4096 counts over 360
+    degrees), would be planned and driven in wrong units: it is a kind of pump of its own.
     """
 
     title: str
@@ -40,7 +39,7 @@ SERVOS = {
     "ax12a": ServoType("AX-12A", 12, 1.5, 1.5, _rpm(59.0)),
     "ax18a": ServoType("AX-18A", 18, 1.8, 2.2, _rpm(97.0), temperature_limit=75, max_torque=983),
 }
-"""Types by their name in `pump.servo`. Another one with the AX registers is a line here."""
+"""Types by their name in `pump.servo`. Another one of the series is a line here."""
 SERVOS_BY_MODEL = {servo.model: servo for servo in SERVOS.values()}
 
 
