@@ -117,7 +117,7 @@ def _course(shift: float) -> ServoCourse:
 def _plan() -> Any:
     run = made_run(time=TIME)
     return SimpleNamespace(
-        name="leg", inlets=("left", "right"), wanted=_course(0.0), achievable=_course(0.1),
+        name="leg", actuators=(), tips=lambda run: {"": run.tip}, inlets=("left", "right"), wanted=_course(0.0), achievable=_course(0.1),
         wanted_run=run, achievable_run=made_run(time=TIME, lag=0.05), infeasible=(), clipped=(),
         error_m=1e-4, validity="inside", deviation_m=2e-3, numbers={"left": {"no_load_flow_m3_s": 1e-5}},
         panels=AxDemand.panels([SimpleNamespace(
