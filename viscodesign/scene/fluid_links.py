@@ -84,10 +84,15 @@ def owner_of(node: str, names: Sequence[str] | Mapping[str, object]) -> str | No
     return name if dot and name in names else None
 
 
+def ends_of(tubes: Sequence[TubeEntry] | None) -> tuple[str, ...]:
+    """The nodes at which tubes end, each once, in their order."""
+    ends = (node for tube in tubes or () for node in (tube.start, tube.end))
+    return tuple(dict.fromkeys(ends))
+
+
 def reached_by_tubes(scene: SeveralScene) -> frozenset[str]:
     """Actuators that tubes of the whole scene lead to."""
-    ends = (node for tube in scene.tubes or () for node in (tube.start, tube.end))
-    owners = (owner_of(node, scene.actuators) for node in ends)
+    owners = (owner_of(node, scene.actuators) for node in ends_of(scene.tubes))
     return frozenset(own for own in owners if own is not None)
 
 
@@ -95,11 +100,10 @@ def moves_alike(scene: SeveralScene, source: str) -> bool:
     """Whether all that a syringe feeds is equal, so that each has an even part of it."""
     fed, given = scene.fed_by(source), scene.sources[source]
     inlets = [own for one in fed for own in scene.sources_of(one).values() if own == source]
-    ends = {node for tube in scene.tubes or () for node in (tube.start, tube.end)}
     return (
         bool(fed)
         and len(inlets) == len(fed)
-        and source not in ends
+        and source not in ends_of(scene.tubes)
         and not reached_by_tubes(scene) & set(fed)
         and given.shared_by(len(fed)) is not None
         and len({_digest(scene, own) for own in fed}) == 1
@@ -130,8 +134,7 @@ def lost_nodes(scene: SeveralScene) -> list[str]:
     """Nodes between actuators from which no tube leads to one."""
     labels = _labels(scene)
     led = {labels[name] for name in scene.actuators}
-    ends = [node for tube in scene.tubes or () for node in (tube.start, tube.end)]
-    places = ((node, _place(node, scene)) for node in dict.fromkeys(ends))
+    places = ((node, _place(node, scene)) for node in ends_of(scene.tubes))
     return [node for node, place in places if place is not None and labels[place] not in led]
 
 
@@ -179,17 +182,17 @@ def _labels_of(tube: TubeEntry, scene: SeveralScene, labels: Mapping[str, str]) 
 
 
 def _group(scene: SeveralScene, names: Sequence[str], tubes: Sequence[TubeEntry]) -> LinkedGroup:
-    ends = {node for tube in tubes for node in (tube.start, tube.end)}
+    ends = ends_of(tubes)
     actuators = tuple(_linked(scene, name, ends) for name in names)
     feeds = {source for name in names for source in scene.sources_of(name).values()}
     return LinkedGroup(
         actuators,
-        tuple(name for name in scene.inputs if name in feeds | ends),
+        tuple(name for name in scene.inputs if name in feeds or name in ends),
         (*(tube for own in actuators for tube in _inner(own)), *_outer(tubes)),
     )
 
 
-def _linked(scene: SeveralScene, name: str, ends: set[str]) -> LinkedActuator:
+def _linked(scene: SeveralScene, name: str, ends: Sequence[str]) -> LinkedActuator:
     design = unlike(scene.actuators)[name]
     assert design.network is not None
     assert design.bellows is not None
@@ -210,8 +213,7 @@ def _linked(scene: SeveralScene, name: str, ends: set[str]) -> LinkedActuator:
 def _names_an_inlet(design: ActuatorDesign) -> bool:
     """Whether a network has an inlet of that name, by its layout or its tubes."""
     assert design.network is not None
-    ends = {node for tube in design.network.tubes or () for node in (tube.start, tube.end)}
-    return design.network.layout != "custom" or INLET in ends
+    return design.network.layout != "custom" or INLET in ends_of(design.network.tubes)
 
 
 def _behind(graph: Graph, inlets: Sequence[str]) -> set[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from viscodesign.errors import did_you_mean
 from viscodesign.model.graph import bellow_names
 from viscodesign.scene.fed_actuator import INLET, by_inlet, inherited
-from viscodesign.scene.fluid_links import LinkedGroup, lost_nodes, reached_by_tubes
+from viscodesign.scene.fluid_links import LinkedGroup, ends_of, lost_nodes, reached_by_tubes
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.joined_scene import OF_ALL_TUBES
 from viscodesign.scene.network import TubeEntry
@@ -114,10 +114,10 @@ def link_faults(scene: SeveralScene) -> Iterator[KeyFault]:
 
 def lost_faults(scene: SeveralScene) -> Iterator[KeyFault]:
     """Nodes between actuators that lead to none of them, and inputs that feed nothing."""
-    ends = {node for tube in scene.tubes or () for node in (tube.start, tube.end)}
     followed = {own.source for own in scene.inputs.values() if isinstance(own, SameInput)}
+    used = {*ends_of(scene.tubes), *followed}
     for name in scene.inputs:
-        if name not in ends | followed and not scene.fed_by(name):
+        if name not in used and not scene.fed_by(name):
             yield KeyFault(
                 ("inputs", name),
                 "feeds nothing; name it as the source of an actuator, lead a tube from it, or "
@@ -152,7 +152,7 @@ def _node_faults(scene: SeveralScene, node: str) -> Iterator[str]:
         return
     stated = inherited(name, names, "source") is not None
     known = {*bellow_names(design.bellows.count // 2)}
-    known |= {end for tube in design.network.tubes or () for end in (tube.start, tube.end)}
+    known |= {*ends_of(design.network.tubes)}
     known -= set(scene.sources_of(name))
     known |= set() if stated else {INLET}
     if within not in known:
