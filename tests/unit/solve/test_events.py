@@ -248,15 +248,30 @@ def test_the_share_that_an_emptied_bellow_keeps_is_of_its_own_volume() -> None:
     assert "with 0.25 of its rest volume" in str(failure)
 
 
-@pytest.mark.parametrize(
-    ("trough", "status", "code"),
-    [(102.35, "complete", "borderline_event"), (105.0, "failed", "uncertain_event")],
-)
-def test_an_event_is_that_of_a_finer_solution(trough: float, status: str, code: str) -> None:
-    """The section keeps its last 1 % down to 102.47 kPa, as ever smaller tolerances tell."""
-    pressed = scene(2.0, SOFT, DIP.format(f"-{trough} kPa"), CRUSHED)
-    assert simulate(pressed, tolerance=1e-2, verify=False).status == "failed"
-    run = simulate(pressed, tolerance=1e-2)
+def test_an_event_of_a_coarse_solution_alone_ends_no_run() -> None:
+    """The section keeps its last 1 % down to 102.47 kPa, as ever smaller tolerances tell.
+
+    At which troughs above a coarse solution loses it is a matter of round-off.
+    """
+    lost = (trough for trough in np.arange(102.2, 102.42, 0.01) if _coarse(trough) == "failed")
+    _told_of_event(next(lost), "complete", "borderline_event")
+
+
+def test_an_event_of_a_finer_solution_elsewhere_is_told() -> None:
+    assert _coarse(105.0) == "failed"
+    _told_of_event(105.0, "failed", "uncertain_event")
+
+
+def _coarse(trough: float) -> str:
+    return simulate(_pressed(trough), tolerance=1e-2, verify=False).status
+
+
+def _pressed(trough: float) -> Scene:
+    return scene(2.0, SOFT, DIP.format(f"-{trough:g} kPa"), CRUSHED)
+
+
+def _told_of_event(trough: float, status: str, code: str) -> None:
+    run = simulate(_pressed(trough), tolerance=1e-2)
     assert run.status == status
     told = [warning for warning in run.warnings if warning.code.endswith("_event")]
     assert [warning.code for warning in told] == [code]
