@@ -27,7 +27,7 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import replaced, write_bytes
 
 EVERY = {*RUN_TABLES, *RUN_PICTURES, PAGE, "summary.json"}
-MOMENTS = 12
+MOMENTS = 6
 
 
 def hidden(folder: Path) -> list[str]:
