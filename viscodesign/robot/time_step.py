@@ -74,12 +74,12 @@ class RobotState:
 MAX_ITERATIONS = 25
 IMPLICITNESS = 0.5
 """Share of a step's flows that are those at its end: smooth flows are integrated to order 2."""
-PLACE_TOLERANCE = 3e-6
+PLACE_TOLERANCE = 1e-6
 """Last Newton step of a place, rotations by `ROTATION_LENGTH` [m]; the error left is of the order
 of its square."""
 ROTATION_LENGTH = 0.02
 """About the radius of a foot [m]."""
-PRESSURE_TOLERANCE = 3e-5
+PRESSURE_TOLERANCE = 1e-5
 """Last Newton step of a pressure, relative to the ambient pressure."""
 
 
