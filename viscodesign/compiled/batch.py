@@ -15,8 +15,9 @@ Outputs = dict[str, Any]
 BatchRow = tuple[Outputs | None, str]
 """Outputs of a row, if it has any, and its status."""
 COMPLETE = "complete"
-MOST_TOGETHER = 64
-"""Rows that are solved side by side: more share what Python costs no further."""
+MOST_TOGETHER = 32
+"""Rows that are solved side by side: more share what Python costs no further, and leave the
+processor's caches."""
 MOST_NUMBERS = 4_000_000
 """Unknowns at all output times of these rows."""
 Row = TypeVar("Row")
