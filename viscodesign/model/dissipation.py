@@ -24,7 +24,8 @@ def is_quadratic(system: System, powers: Sequence[ca.SX]) -> bool:
     own parameters; where a power has no finite value, nothing is concluded.
     """
     symbols, numbers = system.parameters()
-    known = [ca.vertcat(system.rod.rates, system.rod.section_rates), symbols]
+    rod = system.rod
+    known = [ca.vertcat(rod.rates, rod.section_rates, rod.strain_rates), symbols]
     terms = ca.vertcat(*powers)
     free = ca.vertcat(*ca.Function("powers", known, [terms], {"allow_free": True}).free_sx())
     function = ca.Function("powers", [*known, free], [terms])

@@ -165,6 +165,21 @@ class RodSymbols(ABC):
         return SX(0, 1)
 
     @property
+    def strain_rates(self) -> SX:
+        """Strain rates that are unknowns of their own where the rod is damped (k,) [1/(m s)]."""
+        return SX(0, 1)
+
+    @property
+    def strain_rate_size(self) -> SX:
+        """Size of the strain rates, times the time scale [1/m]."""
+        return 1 / self.coordinate_size
+
+    @property
+    def strain_rate_defects(self) -> SX:
+        """By how much they miss the rates of the strains in question (k,)."""
+        return SX(0, 1)
+
+    @property
     @abstractmethod
     def tip(self) -> SX:
         """Position of the tip (2,) [m]."""
@@ -218,7 +233,8 @@ class RodSymbols(ABC):
         or of each (S,) [s].
 
         The power that a Kelvin-Voigt material dissipates. It depends on the motion alone; a rigid
-        rotation has none.
+        rotation has none. In the strain rates that are unknowns it is stationary, so that half its
+        gradient in the rates of the coordinates is the force.
         """
 
     @abstractmethod

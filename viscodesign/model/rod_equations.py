@@ -21,6 +21,7 @@ COORDINATES = "rod_coordinates"
 RATES = "rod_rates"
 ACCELERATIONS = "rod_accelerations"
 INTERNAL = "rod_internal"
+STRAIN_RATES = "rod_strain_rates"
 SECTION_ANGLES = "rod_section_angles"
 SECTION_RATES = "rod_section_rates"
 CONTACT_FORCES = "contact_forces"
@@ -33,6 +34,7 @@ TRAITS = {
     ACCELERATIONS: Traits(of_rod=True, integrations=2, is_noisy=True),
     # They follow linearly from the coordinates, which do count.
     INTERNAL: Traits(of_rod=True, is_internal=True, integrations=math.inf),
+    STRAIN_RATES: Traits(of_rod=True, is_noisy=True, integrations=math.inf),
 }
 TRAITS[CONTACT_FORCES] = Traits(integrations=math.inf)
 TRAITS |= {SECTION_ANGLES: TRAITS[COORDINATES], SECTION_RATES: TRAITS[RATES]}
@@ -86,6 +88,7 @@ class RodEquations:
         self.form = rod_form(system)
         self.kinds = [kind for kind in (self._places(), self._angles()) if kind.values.numel()]
         self.acceleration = SX.sym("acceleration", self.rod.rates.numel())
+        self.strain_rates = self._strain_rates()
         self.coupled = self.form is RodForm.DYNAMIC and not self._masses_are_constant()
         self.contact_forces = contact_forces(system.contacts)
 
@@ -111,6 +114,14 @@ class RodEquations:
         moment = rod.force_size * system.length
         return Coordinates(SECTION_ANGLES, angles, SX(1), SECTION_RATES, rates, moment, form)
 
+    def _strain_rates(self) -> SX:
+        """Those that are unknowns: none where no power depends on them."""
+        rates = self.rod.strain_rates
+        is_damped = self.form in MOVING and rates.numel() > 0
+        if is_damped and ca.depends_on(self.system.dissipation_power.total, rates):
+            return rates
+        return SX(0, 1)
+
     def _masses_are_constant(self) -> bool:
         """Whether every momentum is a constant times its own velocity."""
         mass = self._mass_matrix(self.rod.rates)
@@ -131,6 +142,9 @@ class RodEquations:
         internal = replace(TRAITS[INTERNAL], is_noisy=self.form in MOVING)
         for unknowns in (algebraics, statics):
             unknowns.add(INTERNAL, rod.internal, rod.internal_size, internal)
+        if self.strain_rates.numel():
+            size = rod.strain_rate_size / time
+            algebraics.add(STRAIN_RATES, self.strain_rates, size, TRAITS[STRAIN_RATES])
         for kind in self.kinds:
             statics.add(kind.name, kind.values, kind.size, TRAITS[kind.name])
             self._name_moving(kind, states, algebraics, internal)
@@ -281,6 +295,9 @@ class RodEquations:
             return [], []
         ode: list[list[Rows]] = []
         alg: list[list[Rows]] = [[self._internal_rows()]]
+        if self.strain_rates.numel():
+            size = self.rod.strain_rate_size / self.sizes.time
+            alg.append([self.rod.strain_rate_defects / size])
         for kind in self.kinds:
             forces = self._forces(kind, 1 / kind.force_size)
             if kind.form is not RodForm.STATIC:
@@ -304,7 +321,8 @@ class RodEquations:
         """Residuals of the steady state in the static unknowns, not yet resolved."""
         if self.form is RodForm.ARCS:
             return []
-        at_rest = [(kind.rates, SX.zeros(kind.rates.shape)) for kind in self.kinds]
+        rates = (*(kind.rates for kind in self.kinds), self.rod.strain_rates)
+        at_rest = [(own, SX.zeros(own.shape)) for own in rates]
         forces = [
             whole(self._forces(kind, 1 / kind.force_size), kind.rates.numel())
             for kind in self.kinds

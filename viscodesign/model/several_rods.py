@@ -73,6 +73,14 @@ class SeveralRodsSymbols(RodSymbols):
         return ca.vertcat(*(own.section_rates for own in self.rods))
 
     @property
+    def strain_rates(self) -> SX:
+        return ca.vertcat(*(own.strain_rates for own in self.rods))
+
+    @property
+    def strain_rate_defects(self) -> SX:
+        return ca.vertcat(*(own.strain_rate_defects for own in self.rods))
+
+    @property
     def tip(self) -> SX:
         raise TypeError("several rods have several tips: ask each of `rods`")
 

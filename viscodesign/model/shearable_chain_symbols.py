@@ -47,6 +47,14 @@ class ShearableChainSymbols(ChainSymbols):
     def section_rates(self) -> SX:
         return self._angle_rates
 
+    @property
+    def strain_rates(self) -> SX:
+        return SX(0, 1)  # turns are differences of angles: their force depends on rates alone
+
+    @property
+    def strain_rate_defects(self) -> SX:
+        return SX(0, 1)
+
     def _turns(self, chords: SX) -> SX:
         return self._angles - ca.vertcat(0, self._angles[:-1])
 
