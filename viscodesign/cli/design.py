@@ -110,5 +110,6 @@ def _end(found: PathDesign, folder: Path) -> None:
         raise InterruptedRunError(f"interrupted; the best so far is in {folder}")
     if found.status != "met":
         words = "refused" if found.status == "refused" else "not met"
-        hint = f". {found.hint}" if found.hint else ""
+        stop = "" if found.reason.endswith("?") else "."
+        hint = f"{stop} {found.hint}" if found.hint else ""
         raise DesignNotMetError(f"{words}: {found.reason}{hint}")

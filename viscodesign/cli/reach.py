@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -19,7 +20,7 @@ from viscodesign.cli.options import (
     RunFolder,
     Spec,
 )
-from viscodesign.errors import ViscodesignError
+from viscodesign.errors import InterruptedRunError, ViscodesignError
 from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
@@ -77,7 +78,8 @@ def command(
 
     Writes reach.csv, reach.json and reach.png, with one inlet and with one a
     column; with a point its input.csv and a runnable spec.yaml, verified. A
-    point that is out of reach exits with 3 and says by how much.
+    point that is out of reach exits with 3 and says by how much. Ctrl-C keeps
+    what there is.
     """
     pictures = picture_options(picture_format, style, width)
     from viscodesign import reach as study_of
@@ -102,12 +104,14 @@ def command(
         folder,
     )
     say_result(study.document(), files, reach_lines(study, folder, files), json, quiet)
-    _end(study)
+    _end(study, folder)
 
 
-def _end(study: ReachStudy) -> None:
-    """Report a point out of reach as an error, after the files are written."""
+def _end(study: ReachStudy, folder: Path) -> None:
+    """Report a study that was stopped, or a point out of reach, after the files are written."""
     own = study.point
+    if study.interrupted:
+        raise InterruptedRunError(f"interrupted; what there is is in {folder}")
     if own is not None and not own.is_reached:
         raise OutOfReachError(
             f"out of reach by {1e3 * own.miss_m:.3g} mm, from several starts; the nearest input "

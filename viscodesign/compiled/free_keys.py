@@ -66,6 +66,8 @@ class FreeKeys:
         self.given = (keys,) if isinstance(keys, str) else tuple(keys)
         if not self.given:
             raise SpecError.plain("no key is free; give at least one, such as network.tube_length")
+        if not all(key.strip() for key in self.given):
+            raise SpecError.plain("a free key is empty; name a number, such as network.tube_length")
         _refuse_surroundings(scene, self.given)
         is_of_fluid = any(key.startswith("fluid.") for key in self.given)
         self.scene = with_fluid_numbers(scene) if is_of_fluid else scene

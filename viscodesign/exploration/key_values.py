@@ -36,6 +36,8 @@ class KeyValues:
     count: int | None = None
     """Values of a range in a grid."""
     is_log: bool = False
+    is_bare: bool = False
+    """Whether its numbers have a unit, and came without."""
 
     @property
     def is_range(self) -> bool:
@@ -112,7 +114,7 @@ def read_values(key: str, unit: str | None, given: Any) -> KeyValues:
     if unit is None:
         words = (part if isinstance(part, (str, bool, int, float)) else str(part) for part in parts)
         return KeyValues(key, None, tuple(words))
-    return KeyValues(key, unit, tuple(_numbers(key, unit, parts)))
+    return KeyValues(key, unit, tuple(_numbers(key, unit, parts)), is_bare=_are_bare(unit, parts))
 
 
 def _split(text: str) -> list[str]:
@@ -142,7 +144,8 @@ def _range(key: str, unit: str | None, low: str, high: str, tail: str) -> KeyVal
     if is_log and first <= 0.0:
         raise refused(key, f"a logarithmic range needs bounds above 0; got {low}..{high}")
     count = _count(key, counts[0]) if counts else None
-    return KeyValues(key, unit or "1", (), first, last, count, is_log)
+    is_bare = _are_bare(unit or "1", [low, high])
+    return KeyValues(key, unit or "1", (), first, last, count, is_log, is_bare)
 
 
 def _count(key: str, text: str) -> int:
@@ -168,6 +171,10 @@ def _numbers(key: str, unit: str, parts: Sequence[Any]) -> list[float]:
             key, f"{described(bare[0])} has no unit beside '{other}'; give every value its unit"
         )
     return found
+
+
+def _are_bare(unit: str, parts: Sequence[Any]) -> bool:
+    return unit != "1" and not any(map(_has_unit, parts))
 
 
 def _plain(part: Any) -> Any:

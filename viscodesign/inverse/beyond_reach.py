@@ -17,15 +17,19 @@ SLACK = 0.02
 
 def beyond_reach(
     wanted: WantedPath, choice: FreeChoice, scene: Scene, tolerance: float
-) -> str | None:
-    """Why a path is out of reach: a point is farther from the clamp than the rod may be long.
+) -> tuple[str, str] | None:
+    """Why a path is out of reach, a point farther from the clamp than the rod may be long, and what
+    would help; None where it may be in reach.
 
     The highest pressure is that of the limits, or of the input where its numbers are not free;
     with other numbers of the body free, nothing is said.
     """
     has_free_body = any(key.startswith(("actuator", "bellows", "loads")) for key in choice.keys)
     if not has_free_body and (words := far_words(wanted.points, scene.actuator.length)):
-        return f"out of reach: {words}"
+        return (
+            f"out of reach: {words}",
+            "Write the unit of each column, such as x_mm; rows are in m",
+        )
     has_free_pressure = any(key.startswith(("input", "gauge")) for key in choice.keys)
     if has_free_body or (has_free_pressure and choice.harmonics is None):
         return None
@@ -46,5 +50,6 @@ def beyond_reach(
     return (
         f"out of reach: ({x:.4g}, {z:.4g}) mm is {1e3 * far.max():.4g} mm from the clamp, and at "
         f"{1e-3 * level:.3g} kPa the actuator is {1e3 * longest:.4g} mm long; it is "
-        f"{1e3 * beyond:.3g} mm too far"
+        f"{1e3 * beyond:.3g} mm too far",
+        "Move the path, or allow higher pressures",
     )

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import time as clock
+from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.checks.written_numbers import written
 from viscodesign.errors import Fault, SolveError, SpecError, UsageError
 from viscodesign.exploration.parallel_rows import available_cores
 from viscodesign.interrupt import gentle_interrupt
@@ -20,7 +22,7 @@ from viscodesign.inverse.number_search import NumberDesign
 from viscodesign.inverse.posed_scene import posed_scene
 from viscodesign.inverse.search_task import Progress, SearchLog, SearchTask
 from viscodesign.inverse.target_spec import ReadTarget, read_target
-from viscodesign.inverse.wanted_path import wanted_path
+from viscodesign.inverse.wanted_path import WantedPath, wanted_path
 from viscodesign.loading import load
 from viscodesign.results.path_design import PathDesign, without_design
 from viscodesign.scene.reading.read import Overrides
@@ -61,9 +63,13 @@ def design(
     read = read_target(target)
     scene = load_spec(read, overrides)
     wanted, choice = wanted_path(read), free_choice(read, scene)
+    _refuse_loose(read, wanted)
     if choice.harmonics is not None:
         scene = choice.harmonics.placed(scene)
-    scene = posed_scene(scene, wanted, read.spec.tolerance)
+    try:
+        scene = posed_scene(scene, wanted, read.spec.tolerance)
+    except SpecError as error:
+        raise SpecError([_at_target(fault, read) for fault in error.faults]) from None
     seconds = read.spec.budget if budget is None else budget
     if not seconds > 0.0:
         raise UsageError(f"budget: must be a time above 0 s; got {seconds:g}")
@@ -85,20 +91,45 @@ def design(
         return _refused(task, scene) or _designed(task, scene)
 
 
+def _refuse_loose(read: ReadTarget, wanted: WantedPath) -> None:
+    """Raise a fault for a tolerance as large as the path, which a tip at rest would meet."""
+    size = float(np.linalg.norm(np.ptp(wanted.points, axis=0)))
+    if read.spec.tolerance >= size:
+        file, line = read.document.place(("tolerance",))
+        message = (
+            f"{written(read.spec.tolerance, 'm')} is no less than the whole path, "
+            f"{written(size, 'm')}: a tip at rest would meet it. Write a smaller one with its "
+            "unit, such as 0.15 mm"
+        )
+        raise SpecError([Fault(message, "tolerance", file, line)])
+
+
+def _at_target(fault: Fault, read: ReadTarget) -> Fault:
+    """A fault of the target with its line."""
+    if fault.key != "target":
+        return fault
+    file, line = read.document.place(("target",))
+    return replace(fault, file=file, line=line)
+
+
 def _refused(task: SearchTask, scene: Scene) -> PathDesign | None:
     """The answer to a path that no numbers can follow; None where some may."""
-    reason = beyond_reach(task.wanted, task.choice, scene, task.tolerance_m)
-    found = None if reason else wrong_sense(task.wanted, task.choice, scene)
-    if reason is None and found is None:
+    far = beyond_reach(task.wanted, task.choice, scene, task.tolerance_m)
+    found = None if far else wrong_sense(task.wanted, task.choice, scene)
+    if far is not None:
+        reason, hint = far
+    elif found is not None:
+        reason, hint = found.reason, found.hint
+    else:
         return None
     return without_design(
         scene.name,
         "refused",
-        reason or (found.reason if found else ""),
+        reason,
         tolerance_m=task.tolerance_m,
         wanted=task.wanted.way,
         closed=task.wanted.closed,
-        hint=found.hint if found else "Move the path, or allow higher pressures",
+        hint=hint,
         spec_text=resolved_yaml(found.mirrored) if found else "",
         wall_s=clock.perf_counter() - task.log.began,
     )
@@ -178,6 +209,7 @@ def _finished(
         interrupted=task.stop.asked,
         ended_by_budget=task.log.is_cut,
         lost_graphs=task.log.lost_graphs,
+        violations=() if confirmed is None else confirmed.run.violations,
     )
 
 

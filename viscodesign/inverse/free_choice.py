@@ -66,7 +66,7 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
             if key == GRAPH:
                 graph = _graph(given)
             elif key == INPUT and isinstance(given, Mapping) and HARMONICS in given:
-                harmonics = HarmonicChoice.of(given)
+                harmonics = HarmonicChoice.of(given, _input_size(scene))
                 ranges += harmonics.ranges()
             elif key == INPUT:
                 ranges += [_range(scene, f"input.{own}", b) for own, b in _own_keys(given).items()]
@@ -81,11 +81,20 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
             raise SpecError([_placed(Fault("harmonics need a spec with one `input`"), INPUT, read)])
         scene = harmonics.placed(scene)
     if ranges:
-        FreeKeys(scene, [own.key for own in ranges])  # refuses keys that overlap
+        try:
+            FreeKeys(scene, [own.key for own in ranges])
+        except SpecError as error:  # keys that overlap
+            raise SpecError([_placed(fault, fault.key, read) for fault in error.faults]) from None
     if not ranges and harmonics is None and graph == "keep":
-        fault = Fault(f"network.graph: keep leaves nothing free; {FREE_FORM}", "free")
-        raise SpecError([_placed(fault, GRAPH, read)])
+        raise SpecError([_placed(Fault(f"keep leaves nothing free; {FREE_FORM}"), GRAPH, read)])
     return FreeChoice(tuple(ranges), graph, harmonics)
+
+
+def _input_size(scene: Scene) -> float:
+    """Largest pressure of the spec's own inputs above the baseline [Pa]; 0 without one."""
+    sources = [own for own in scene.inputs.values() if own.gives_pressure]
+    ends = [abs(end) for own in sources for end in own.extremes(scene.run.duration)]
+    return max(ends, default=0.0)
 
 
 def _named_tubes(free: Mapping[str, Any]) -> list[str]:
@@ -109,7 +118,10 @@ def _fault_of_names(keys: list[str]) -> Fault:
 def _placed(fault: Fault, key: str, read: ReadTarget) -> Fault:
     """A fault of a key under `free`, with its line."""
     file, line = read.document.place(("free", key))
-    return Fault(fault.message, f"free.{fault.key or key}", file, line, read.spec.free[key])
+    own = fault.key or key
+    if key == INPUT and not own.startswith(INPUT):
+        own = f"{INPUT}.{own}"
+    return Fault(fault.message, f"free.{own}", file, line, read.spec.free.get(key))
 
 
 def _graph(given: Any) -> GraphChoice:
@@ -133,7 +145,8 @@ def _range(scene: Scene, key: str, given: Any) -> FreeRange:
     """Bounds of one key. Raises `SpecError`."""
     numbers = FreeKeys(scene, [key]).numbers
     unit = numbers[0].unit
-    low, high = bounds(key, unit, given)
+    own = max((abs(number.value) for number in numbers), default=0.0)
+    low, high = bounds(key, unit, given, own)
     for value in (low, high):
         if fault := numbers[0].fault(value):
             raise SpecError([Fault(fault.message, key)])

@@ -41,8 +41,11 @@ class HarmonicChoice:
     """Limit of the pressure's slope [Pa/s]."""
 
     @classmethod
-    def of(cls, given: Mapping[str, Any]) -> HarmonicChoice:
-        """From what is written under `input`. Raises `SpecError`."""
+    def of(cls, given: Mapping[str, Any], own: float = 0.0) -> HarmonicChoice:
+        """From what is written under `input`; ``own``: the size of the spec's input [Pa], or 0.
+
+        Raises `SpecError`.
+        """
         for key in given:
             if key not in KEYS:
                 raise SpecError.plain(f"'{key}' is no such key{did_you_mean(key, KEYS)}")
@@ -55,9 +58,9 @@ class HarmonicChoice:
         for key in ("period", "limits"):
             if key not in given:
                 raise SpecError.plain(f"{key} is missing; write {EXAMPLE}")
-        low, high = bounds("limits", "Pa", given["limits"])
+        low, high = bounds("limits", "Pa", given["limits"], own)
         rate = given.get("rate_limit")
-        found = None if rate is None else _single("rate_limit", "Pa/s", rate)
+        found = None if rate is None else _rate_limit(rate, given["limits"])
         return cls(count, _period(given["period"]), (low, high), found)
 
     @property
@@ -98,6 +101,19 @@ def _period(given: Any) -> tuple[float, float]:
     if low <= 0.0:
         raise SpecError.plain(f"period: must be above 0 s; got {low:g} s")
     return low, high
+
+
+def _rate_limit(given: Any, limits: Any) -> float:
+    """A limit [Pa/s], with a unit where ``limits`` have one."""
+    found = _single("rate_limit", "Pa/s", given)
+    is_bare = read_values("rate_limit", "Pa/s", given).is_bare
+    if is_bare and not read_values("limits", "Pa", limits).is_bare:
+        message = (
+            f"{described(given)} has no unit beside limits {limits}; give every value its unit, "
+            "such as 50 kPa/s"
+        )
+        raise SpecError([Fault(message, "rate_limit")])
+    return found
 
 
 def _single(key: str, unit: str, given: Any) -> float:

@@ -8,10 +8,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from viscodesign.checks.vacuum import vacuum_faults
 from viscodesign.compiled.free_keys import FreeKeys
-from viscodesign.errors import SpecError, UsageError
+from viscodesign.errors import SolveError, SpecError, UsageError
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.interrupt import gentle_interrupt
+from viscodesign.interrupt import StopRequest, gentle_interrupt
 from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.reach_edge import (
@@ -27,14 +28,10 @@ from viscodesign.inverse.reach_edge import (
 from viscodesign.inverse.reach_point import reach_point
 from viscodesign.inverse.tree_graph import sizes_of, tree_of, with_tree
 from viscodesign.results.reach_study import ReachStudy
+from viscodesign.scene.far_places import far_words
 from viscodesign.scene.inputs.harmonics import MOST_HARMONICS
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
-
-VERIFIED = 4
-"""Points of the edge that are simulated."""
-LONGEST_S = 1e5
-"""Run of a verified point [s]."""
 
 
 def reach(
@@ -55,30 +52,40 @@ def reach(
     column. ``at``: x, z [m] of a point instead, to be reached at ``time`` [s], by default the end
     of the run, on the scene's own model and verified.
 
-    Raises `SpecError` for scenes that it is not made for, `UsageError` for values that make no
-    sense, `SolveError` where no input has a solution.
+    Ctrl-C raises nothing once there is something to keep: the study then says that it was
+    interrupted. Raises `SpecError` for scenes that it is not made for, `UsageError` for values that
+    make no sense, `SolveError` where no input has a solution.
     """
     began = clock.perf_counter()
     if scene.input is None or not scene.input.gives_pressure:
         raise SpecError.plain("reach needs a spec with one `input` that is a pressure")
     low, high = limits or scene.input.extremes(scene.run.duration)
-    if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        raise UsageError(f"limits: need two pressures, the lower one first; got {low:g}, {high:g}")
+    _check_limits(scene, low, high)
     if harmonics is not None and not 1 <= harmonics <= MOST_HARMONICS:
         raise UsageError(f"harmonics: must be from 1 to {MOST_HARMONICS}; got {harmonics}")
     if time is not None and at is None:
         raise UsageError("time: needs a point to be at, given by --at (at=(x, z) in Python)")
     rod = ArcRod.of(SceneQuantities(scene))
     around = scene.gauge_pressure + low, scene.gauge_pressure + high
-    edge, error, point = np.zeros((0, 2)), None, None
+    edge, point = np.zeros((0, 2)), None
+    error: float | None = None
+    failures: tuple[str, ...] = ()
     with gentle_interrupt(second_raises=True) as stop:
         if at is not None:
-            place, when = _point(at), scene.run.duration if time is None else time
+            place, when = _point(at, scene), scene.run.duration if time is None else time
             if not (math.isfinite(when) and when > 0.0):
                 raise UsageError(f"time: must be above 0 s; got {when:g}")
             point = reach_point(scene, place, when, (low, high), stop, seed)
         if tree_of(scene.graph) is not None:
-            edge, error = _edge(scene, rod, around, harmonics, verify=at is None)
+            bellows = _bellows(scene)
+            past = PastInput.of(bellows, around)
+            extreme = past if harmonics is None else HarmonicExtremes(bellows, around, harmonics)
+            directions = DIRECTIONS if harmonics is None else FEW_DIRECTIONS
+            middle = np.full(len(bellows.feed), sum(around) / 2)
+            pressures = edge_pressures(extreme, rod, middle, directions)
+            edge = rod.tip(pressures)
+            if at is None and harmonics is None:
+                error, failures = _verified(scene, past, rod, pressures, stop)
         elif at is None:
             raise SpecError.plain(
                 "network: the set of points needs a network without junctions and loops; "
@@ -93,30 +100,29 @@ def reach(
         error,
         point,
         clock.perf_counter() - began,
+        edge_failures=failures,
+        interrupted=stop.asked,
     )
 
 
-def _point(at: Sequence[float]) -> tuple[float, float]:
+def _check_limits(scene: Scene, low: float, high: float) -> None:
+    """Raise a fault for limits of the pressure [Pa] that are none, or below vacuum."""
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise UsageError(
+            f"limits: need two pressures, the lower one first; got {low:g} Pa, {high:g} Pa"
+        )
+    lowest = scene.gauge_pressure + low
+    if faults := list(vacuum_faults("limits", lowest, scene.ambient_pressure, varies=True)):
+        raise SpecError(faults)
+
+
+def _point(at: Sequence[float], scene: Scene) -> tuple[float, float]:
     found = tuple(float(value) for value in at)
     if len(found) != 2 or not all(map(math.isfinite, found)):
         raise UsageError(f"at: needs x and z, two lengths; got {tuple(at)}")
+    if words := far_words(np.array([found]), scene.actuator.length):
+        raise UsageError(f"at: {words} Write each with its unit, such as 20 mm, 105 mm")
     return found[0], found[1]
-
-
-def _edge(
-    scene: Scene, rod: ArcRod, limits: tuple[float, float], harmonics: int | None, *, verify: bool
-) -> tuple[np.ndarray, float | None]:
-    """The edge (N, 2), and the largest distance of simulated points of it."""
-    bellows = _bellows(scene)
-    past = PastInput.of(bellows, limits)
-    extreme = past if harmonics is None else HarmonicExtremes(bellows, limits, harmonics)
-    count = len(bellows.feed)
-    middle = np.full(count, sum(limits) / 2)
-    directions = DIRECTIONS if harmonics is None else FEW_DIRECTIONS
-    pressures = edge_pressures(extreme, rod, middle, directions)
-    tip = rod.tip(pressures)
-    error = _largest_error(scene, past, rod, pressures) if verify and harmonics is None else None
-    return tip, error
 
 
 def _two_inlets(scene: Scene, rod: ArcRod, limits: tuple[float, float]) -> np.ndarray:
@@ -136,23 +142,34 @@ def _bellows(scene: Scene) -> LinearBellows:
     return LinearBellows(*QuickMotion(keys, graph).network(keys.values))
 
 
-def _largest_error(
-    scene: Scene, past: PastInput, rod: ArcRod, pressures: np.ndarray
-) -> float | None:
+def _verified(
+    scene: Scene, past: PastInput, rod: ArcRod, pressures: np.ndarray, stop: StopRequest
+) -> tuple[float | None, tuple[str, ...]]:
     """Largest miss of the leftmost, rightmost, lowest and highest point by `simulate` with their
-    inputs."""
+    inputs, and why some of these runs failed."""
     tip = rod.tip(pressures)
     ends = [tip[:, 0].argmin(), tip[:, 0].argmax(), tip[:, 1].argmin(), tip[:, 1].argmax()]
-    apart = []
-    for k in dict.fromkeys(int(end) for end in ends[:VERIFIED]):
+    apart: list[float] = []
+    failures: list[str] = []
+    for k in dict.fromkeys(int(end) for end in ends):
         way = np.roll(tip, -1, axis=0)[k] - np.roll(tip, 1, axis=0)[k]
         normal = np.array([way[1], -way[0]])
         direction = normal @ rod.slopes(pressures[k : k + 1])[0]
-        run = simulate(_driven(scene, past, direction), verify=False)
+        try:
+            run = simulate(_driven(scene, past, direction), verify=False)
+        except SolveError as error:
+            failures.append(str(error))
+            continue
+        except KeyboardInterrupt:
+            if not stop.asked:
+                raise
+            break
         if run.status == "complete":
             expected = rod.tip(past(direction)[None])[0]
             apart.append(float(np.linalg.norm(run.tip[-1, :2] - expected)))
-    return max(apart, default=None)
+        else:
+            failures.append(run.failure or run.status)
+    return max(apart, default=None), tuple(failures)
 
 
 def _driven(scene: Scene, past: PastInput, direction: np.ndarray) -> Scene:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +13,7 @@ from viscodesign.interrupt import StopRequest
 from viscodesign.inverse.confirmation import confirm
 from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.free_range import FreeRange
-from viscodesign.inverse.number_search import search_numbers
+from viscodesign.inverse.number_search import NumberDesign, search_numbers
 from viscodesign.inverse.posed_scene import posed_scene
 from viscodesign.inverse.search_task import DescentPlan, SearchLog, SearchTask
 from viscodesign.inverse.wanted_path import WantedPath
@@ -50,7 +52,8 @@ def reach_point(
     """The input within limits that brings the tip nearest to a point at a time.
 
     From the baseline at t = 0 (or the limit nearest to it), straight between rows that
-    are the closer the later they are. Raises `SolveError` where no start has a solution.
+    are the closer the later they are. Interrupted, the best so far, not verified. Raises
+    `SolveError` where no start has a solution, `KeyboardInterrupt` before a first one.
     """
     began = clock.perf_counter()
     wanted = WantedPath(np.array([at]), np.array([time_s]), False, "given")
@@ -84,42 +87,65 @@ def reach_point(
         plan=PLAN,
     )
     found = search_numbers(task, posed)[0]
-    if stop.asked:
-        raise KeyboardInterrupt
-    run = confirm(wanted, found.scene, TOLERANCE)
+    unverified = ReachedPoint(
+        at,
+        time_s,
+        (math.nan, math.nan),
+        found.distance.rms_m,
+        None,
+        TOLERANCE,
+        np.zeros((0, 2)),
+        times,
+        np.append(begins, found.values),
+        resolved_yaml(_with_path(posed, found.values, times, begins)),
+        log.evaluations,
+    )
+    try:
+        return unverified if stop.asked else _verified(task, posed, found, unverified)
+    except KeyboardInterrupt:
+        if not stop.asked:
+            raise
+        return unverified
+
+
+def _verified(
+    task: SearchTask, posed: Scene, found: NumberDesign, point: ReachedPoint
+) -> ReachedPoint:
+    """A found point by a run with the effects that it calls for."""
+    times, begins = point.times, float(point.pressures[0])
+    run = confirm(task.wanted, found.scene, TOLERANCE)
     if run.distance.rms_m > TOLERANCE >= found.distance.rms_m:
         # The run has more effects than the search had: go on with them.
         pinned = posed.replace({"effects": {name: "on" for name in run.effects}})
         again = search_numbers(task, pinned, start=found.values, several_starts=False)[0]
         changed = found.scene.replace(dict(_rows(again.values, times, begins)))
-        better = confirm(wanted, changed, TOLERANCE)
+        better = confirm(task.wanted, changed, TOLERANCE)
         if better.distance.rms_m < run.distance.rms_m:
             found, run = again, better
-    pressures = np.append(begins, found.values)
-    final = posed.replace(
-        {
-            **_rows(found.values, times, begins),
-            "run.output_times": np.linspace(0.0, time_s, PATH_TIMES).tolist(),
-        }
-    )
+    final = _with_path(posed, found.values, times, begins)
     # Of the same run at more times the effects are known.
     pinned = final.replace({"effects": dict.fromkeys(run.effects, "on") | {"others": "off"}})
     path = np.asarray(simulate(pinned, verify=False).tip)[:, :2]
     if not len(path):
         raise SolveError("the run has no motion", quantity="tip", where="rod")
-    return ReachedPoint(
-        at,
-        time_s,
-        (float(run.tip[-1, 0]), float(run.tip[-1, 1])),
-        run.distance.rms_m,
-        run.run.accuracy.estimated_tip_error_m,
-        TOLERANCE,
-        path,
-        times,
-        pressures,
-        resolved_yaml(final),
-        log.evaluations,
+    return replace(
+        point,
+        tip=(float(run.tip[-1, 0]), float(run.tip[-1, 1])),
+        miss_m=run.distance.rms_m,
+        stated_error_m=run.run.accuracy.estimated_tip_error_m,
+        path=path,
+        pressures=np.append(begins, found.values),
+        spec_text=resolved_yaml(final),
+        evaluations=task.log.evaluations,
+        violations=run.run.violations,
+        is_cut=task.log.is_cut,
     )
+
+
+def _with_path(posed: Scene, values: np.ndarray, times: np.ndarray, begins: float) -> Scene:
+    """The scene with an input, and output times that show the tip's way."""
+    shown = np.linspace(0.0, float(times[-1]), PATH_TIMES).tolist()
+    return posed.replace({**_rows(values, times, begins), "run.output_times": shown})
 
 
 def _rows(values: np.ndarray, times: np.ndarray, begins: float) -> dict[str, object]:

@@ -158,6 +158,12 @@ class RetryAttempt:
     """Why the solver had stopped."""
 
 
+def validity_document(violations: Iterable[Notice]) -> dict[str, Any]:
+    """Whether a run stays within what its model describes, and where not, for a program."""
+    reasons = documents(violations)
+    return {"state": "outside" if reasons else "inside", "reasons": reasons}
+
+
 Finding = Verdict | EffectAblation | Notice | RetryAttempt
 
 

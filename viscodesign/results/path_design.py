@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.results.findings import json_ready
+from viscodesign.results.findings import Notice, json_ready, validity_document
 from viscodesign.results.provenance import provenance
 
 DesignStatus = Literal["met", "not_met", "refused"]
@@ -122,6 +122,8 @@ class PathDesign:
     """Graphs that were not tried, since the process that tried them died."""
     hint: str = ""
     """What would help."""
+    violations: tuple[Notice, ...] = ()
+    """Where the confirming run leaves what its model describes."""
 
     def __repr__(self) -> str:
         return f"<PathDesign {self.name}: {self.status}>"
@@ -143,6 +145,7 @@ class PathDesign:
             "confirmed_worst_m": self.confirmed_worst_m,
             "excess_m": self.excess_m,
             "stated_error_m": self.stated_error_m,
+            "validity": validity_document(self.violations) if self.is_confirmed else None,
             "band_one_percent_m": self.widest_band_m,
             "parameters": dict(self.parameters),
             "graph": list(self.graph),
@@ -154,6 +157,11 @@ class PathDesign:
             "provenance": provenance(),
         })  # fmt: skip
         return found
+
+    @property
+    def is_confirmed(self) -> bool:
+        """Whether a run of the found design is there."""
+        return self.confirmed_rms_m is not None
 
     @property
     def widest_band_m(self) -> float | None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.results.findings import json_ready
+from viscodesign.results.findings import Notice, json_ready, validity_document
 from viscodesign.results.provenance import provenance
 
 
@@ -23,7 +23,7 @@ class ReachedPoint:
     time_s: float
     """When the tip is to be there [s]."""
     tip: tuple[float, float]
-    """Where the verified run brings it [m]."""
+    """Where the verified run brings it [m]; NaN without one."""
     miss_m: float
     """Distance of the two [m]."""
     stated_error_m: float | None
@@ -31,7 +31,7 @@ class ReachedPoint:
     tolerance_m: float
     """Distance that counts as reached [m]."""
     path: np.ndarray
-    """(T, 2) of the tip [m]."""
+    """(T, 2) of the tip [m]; empty where nothing was verified."""
     times: np.ndarray
     """(K,) of the input's rows [s]."""
     pressures: np.ndarray
@@ -40,6 +40,15 @@ class ReachedPoint:
     """The spec with that input, runnable."""
     evaluations: int
     """Solutions of the search."""
+    violations: tuple[Notice, ...] = ()
+    """Where the verified run leaves what its model describes."""
+    is_cut: bool = False
+    """Whether time ended the search."""
+
+    @property
+    def is_verified(self) -> bool:
+        """Whether a run has brought the tip there; else the search was interrupted."""
+        return len(self.path) > 0
 
     @property
     def is_reached(self) -> bool:
@@ -72,6 +81,10 @@ class ReachStudy:
     """Where a point was asked for."""
     wall_s: float
     """[s]"""
+    edge_failures: tuple[str, ...] = ()
+    """Why points of the edge could not be verified: the set may not reach so far there."""
+    interrupted: bool = False
+    """Whether Ctrl-C ended it: what there is was not verified, or not all of it."""
 
     def __repr__(self) -> str:
         return f"<ReachStudy {self.name}: {1e4 * self.area_m2:.3g} cm2>"
@@ -97,6 +110,7 @@ class ReachStudy:
             "out_of_reach_m": own.out_of_reach_m,
             "stated_error_m": own.stated_error_m,
             "tolerance_m": own.tolerance_m,
+            "validity": validity_document(own.violations) if own.is_verified else None,
             "evaluations": own.evaluations,
         }  # fmt: skip
         found: dict[str, Any] = json_ready({
@@ -106,6 +120,8 @@ class ReachStudy:
             "area_m2": self.area_m2,
             "area_two_inlets_m2": self.area_two_inlets_m2,
             "edge_error_m": self.edge_error_m,
+            "edge_failures": self.edge_failures,
+            "interrupted": self.interrupted,
             **(place or {}),
             "wall_s": self.wall_s,
             "provenance": provenance(),

@@ -34,6 +34,7 @@ from viscodesign.results.findings import (
     classification_document,
     documents,
     json_ready,
+    validity_document,
 )
 from viscodesign.results.metrics import MetricInputs, metric_values
 from viscodesign.results.motion_arrays import AbsentQuantityError, MotionArrays
@@ -357,7 +358,7 @@ class Trajectory(MotionArrays):
                 if key not in ("name", "warnings")
             },
             "metrics": self.metrics,
-            "validity": {"state": self.validity, "reasons": documents(self.violations)},
+            "validity": validity_document(self.violations),
             "effects": documents(self.effects),
             **({"proof": documents(self.proof)} if self.proof else {}),
             "accuracy": asdict(self.accuracy),

@@ -90,6 +90,13 @@ def test_a_bad_recording_is_one_message(
     assert capsys.readouterr().err.strip().endswith("such as 'm1_x_m'")
 
 
+def test_an_empty_key_is_one_message(
+    given: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["fit", *given, "--free", "", "-o", str(tmp_path / "out")]) == 2
+    assert capsys.readouterr().err.strip().startswith("a free key is empty; name a number")
+
+
 def test_a_number_at_a_search_bound_is_marked_in_its_row() -> None:
     own = FittedNumber(
         "fluid.viscosity", 3e-4, "Pa*s", 1e-5, 2.9e-4, 3.1e-4, "edge_of_range", "high"

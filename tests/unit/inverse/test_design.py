@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,11 @@ import yaml
 
 from tests.unit.inverse.tasks import PULSE, SPEC, small, task
 from viscodesign import PathDesign, design, load, simulate
+from viscodesign.cli.texts.design_text import design_lines
 from viscodesign.errors import SpecError
+from viscodesign.inverse.free_choice import free_choice
+from viscodesign.inverse.target_spec import read_target
+from viscodesign.results.findings import Notice
 
 
 @pytest.fixture(scope="module")
@@ -33,6 +38,14 @@ def test_its_spec_runs_and_does_what_it_says(pulse: PathDesign) -> None:
     assert float(np.sqrt(np.mean(apart**2))) == pytest.approx(pulse.confirmed_rms_m, rel=1e-6)
     assert run.accuracy.estimated_tip_error_m == pulse.stated_error_m
     assert all(verdict.mode == "auto" for verdict in run.effects)
+    assert pulse.document()["validity"] == {"state": "inside", "reasons": []}
+
+
+def test_a_design_outside_of_what_the_model_describes_says_so(pulse: PathDesign) -> None:
+    found = replace(pulse, violations=(Notice("below_vacuum", "no pump reaches that", "input"),))
+    assert found.document()["validity"]["reasons"][0]["code"] == "below_vacuum"
+    said = "\n".join(design_lines(found, Path("out"), []))
+    assert "outside of the model: below_vacuum; the stated error does not count it" in said
 
 
 def test_lengths_are_found_and_stay_within_bounds(tmp_path: Path) -> None:
@@ -104,7 +117,15 @@ LOOP = {"rows": [[0.0, 0.029], [0.001, 0.03], [-0.001, 0.03], [0.0, 0.029]]}
         ({}, ROWS, "free: nothing is free"),
         ({"input.drop": ["60 kPa", "10 kPa"]}, ROWS, "are reversed"),
         ({"input.drop": [10, "60 kPa"]}, ROWS, "10 has no unit beside '60 kPa'"),
+        ({"input.drop": [10, 60]}, ROWS, r"far from the spec's 42 kPa.*\[10 kPa, 60 kPa\]"),
+        ({"input": {"drop": [10, 60]}}, ROWS, r"have no unit.*\[10 kPa, 60 kPa\]"),
+        ({"network.tubes[*].length": [20, 600]}, ROWS, r"have no unit.*\[20 mm, 600 mm\]"),
         ({"input.drop": "10 kPa"}, ROWS, "expected two bounds"),
+        (
+            {"network.tube_length": ["1 mm", "2 mm"], "network.tubes[*].length": ["1 mm", "2 mm"]},
+            ROWS,
+            "overlaps with network.tube_length",
+        ),
         ({"input.dorp": ["10 kPa", "60 kPa"]}, ROWS, "did you mean 'input.drop'"),
         ({"network.tube_radius": ["-1 mm", "1 mm"]}, ROWS, "must be above 0"),
         ({"network.graph": "star"}, ROWS, "must be one of keep, chain, tree"),
@@ -129,4 +150,21 @@ def test_a_task_without_sense_gets_one_message(
 ) -> None:
     with pytest.raises(SpecError, match=message) as caught:
         design(task(tmp_path, free, target))
-    assert len(caught.value.faults) == 1
+    (fault,) = caught.value.faults
+    assert fault.file.endswith("target.yaml")
+    assert fault.line is not None
+    assert not fault.key.startswith("free.free")
+
+
+def test_bounds_without_a_unit_are_si_where_the_spec_is_near(tmp_path: Path) -> None:
+    free = {"input.drop": [10e3, 60e3], "network.tube_radius": [2e-4, 2e-3]}
+    read = read_target(task(tmp_path, free, ROWS))
+    assert [(own.low, own.high) for own in free_choice(read, small()).ranges] == [*free.values()]
+
+
+def test_a_tolerance_that_a_tip_at_rest_meets_is_refused(tmp_path: Path) -> None:
+    """0.15 without a unit is 15 cm."""
+    message = "tolerance: 150 mm is no less than the whole path, 100 um: a tip at rest"
+    with pytest.raises(SpecError, match=message) as caught:
+        design(task(tmp_path, PULSE, ROWS, tolerance=0.15))
+    assert caught.value.faults[0].line is not None

@@ -155,6 +155,8 @@ def test_a_tree_is_written_and_read_again() -> None:
     [
         ({"harmonics": 0}, "harmonics: must be a whole number"),
         ({"limits": ["25 kPa", "-20 kPa"]}, "are reversed"),
+        ({"limits": [-25, 30]}, r"free.input.limits: .*have no unit.*\[-25 kPa, 30 kPa\]"),
+        ({"rate_limit": 50}, "50 has no unit beside limits"),
         ({"period": "0 s"}, "expected one value above 0"),
         ({"rate_limit": "5 kPa"}, "is a pressure"),
         ({"limit": 3}, "did you mean 'limits'"),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
+import signal
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,9 +12,10 @@ import pytest
 from matplotlib.path import Path as Outline
 
 from tests.unit.inverse.tasks import small
-from viscodesign import ReachStudy, load, reach, simulate
+from viscodesign import ReachStudy, Scene, Trajectory, load, reach, simulate
+from viscodesign.cli.texts.reach_text import reach_lines
 from viscodesign.compiled.free_keys import FreeKeys
-from viscodesign.errors import UsageError
+from viscodesign.errors import SolveError, SpecError, UsageError
 from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.tree_graph import tree_of
 
@@ -94,6 +98,7 @@ def test_a_point_out_of_reach_is_so_far_away() -> None:
         ({"limits": (2e3, 1e3)}, "the lower one first"),
         ({"limits": (0.0, 1e3), "at": (0.0,)}, "needs x and z"),
         ({"limits": (0.0, 1e3), "at": (0.0, float("nan"))}, "needs x and z"),
+        ({"limits": (0.0, 1e3), "at": (20.0, 105.0)}, "are these metres"),
         ({"limits": (0.0, 1e3), "time": 2.0}, "needs a point"),
         ({"limits": (0.0, 1e3), "at": (0.0, 0.03), "time": -1.0}, "above 0 s"),
         ({"limits": (0.0, 1e3), "harmonics": 0}, "harmonics: must be"),
@@ -102,3 +107,52 @@ def test_a_point_out_of_reach_is_so_far_away() -> None:
 def test_what_makes_no_sense_is_refused(words: dict[str, Any], message: str) -> None:
     with pytest.raises(UsageError, match=message):
         reach(small(), **words)
+
+
+def test_limits_below_vacuum_are_refused() -> None:
+    with pytest.raises(SpecError, match=r"limits: .* is -98\.6\d? kPa absolute"):
+        reach(small(), limits=(-200e3, 1e3))
+
+
+def test_points_of_the_edge_that_fail_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls = itertools.count()
+
+    def failing(scene: Scene, **words: Any) -> Trajectory:
+        if next(calls) == 1:
+            raise SolveError("no equilibrium", quantity="tip", where="rod")
+        return simulate(scene, **words)
+
+    monkeypatch.setattr("viscodesign.inverse.reach.simulate", failing)
+    found = reach(small(effects=SLOW), limits=LIMITS)
+    assert found.edge_failures == ("no equilibrium",)
+    assert found.edge_error_m is not None
+    said = "\n".join(reach_lines(found, Path("out"), []))
+    assert "a point of the edge could not be simulated: no equilibrium" in said
+
+
+def test_ctrl_c_keeps_the_edge(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(scene: Scene, **words: Any) -> Trajectory:
+        signal.raise_signal(signal.SIGINT)
+        return simulate(scene, **words)
+
+    monkeypatch.setattr("viscodesign.inverse.reach.simulate", interrupted)
+    found = reach(small(effects=SLOW), limits=LIMITS)
+    assert found.interrupted
+    assert found.area_m2 > 0.0
+    assert found.edge_error_m is None
+
+
+def test_ctrl_c_keeps_the_input_that_came_nearest(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: Any) -> None:
+        signal.raise_signal(signal.SIGINT)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("viscodesign.inverse.reach_point.confirm", interrupted)
+    found = reach(small(), limits=(-25e3, 25e3), at=(0.0, 0.028), time=6.0)
+    assert found.interrupted
+    assert found.point is not None
+    assert not found.point.is_verified
+    assert found.document()["validity"] is found.document()["tip_m"][0] is None
+    assert load(found.point.spec_text).inputs["inlet"].name == "table"
+    said = "\n".join(reach_lines(found, Path("out"), []))
+    assert "not verified; the input is input.csv" in said

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.findings import outside_words
 from viscodesign.results.path_design import PathDesign
 
 MOST_NUMBERS = 24
@@ -41,6 +42,8 @@ def _answer(found: PathDesign) -> Iterator[tuple[str, str]]:
         yield "excess", f"the found path is at most {_mm(found.excess_m)} from the wanted one"
     if found.confirmed_rms_m is not None:
         yield "effects", ", ".join(found.effects) or "none"
+    if found.violations:
+        yield "validity", f"{outside_words(found.violations)}; the stated error does not count it"
     if found.band.size:
         yield "band", f"{_mm(found.widest_band_m)} by one percent of each free number"
     if found.reason:

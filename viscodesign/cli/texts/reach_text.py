@@ -7,6 +7,7 @@ from pathlib import Path
 
 from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.cli.texts.layout import number, table
+from viscodesign.results.findings import outside_words
 from viscodesign.results.reach_study import ReachStudy
 
 
@@ -28,7 +29,10 @@ def _point(study: ReachStudy) -> Iterator[tuple[str, str]]:
         return
     x, z = (number(1e3 * value) for value in own.at)
     when = f"({x}, {z}) mm at {number(own.time_s, 's')}"
-    if own.is_reached:
+    if not own.is_verified:
+        miss = number(1e3 * own.miss_m, "mm")
+        yield "point", f"{when}: interrupted {miss} away, not verified; the input is input.csv"
+    elif own.is_reached:
         stated = number(None if own.stated_error_m is None else 1e3 * own.stated_error_m, "mm")
         miss = number(1e3 * own.miss_m, "mm")
         yield "point", f"{when}: reached to {miss}, stated error {stated}; its input is input.csv"
@@ -36,6 +40,11 @@ def _point(study: ReachStudy) -> Iterator[tuple[str, str]]:
         tip = ", ".join(number(1e3 * value) for value in own.tip)
         miss = number(1e3 * own.miss_m, "mm")
         yield "point", f"{when}: out of reach by {miss}; the tip comes to ({tip}) mm"
+    if own.is_cut:
+        yield "", "time ended the search"
+    if own.violations:
+        words = outside_words(own.violations)
+        yield "validity", f"{words}; the stated error does not count it"
 
 
 def _areas(study: ReachStudy) -> Iterator[tuple[str, str]]:
@@ -46,3 +55,5 @@ def _areas(study: ReachStudy) -> Iterator[tuple[str, str]]:
     if study.edge_error_m is not None:
         words = "largest distance of simulated points of the edge, all effects included"
         yield "edge", f"{number(1e3 * study.edge_error_m, 'mm')}: {words}"
+    for failure in study.edge_failures:
+        yield "warning", f"a point of the edge could not be simulated: {failure}"

@@ -78,6 +78,8 @@ def _title(study: ReachStudy) -> str:
     words = f"{study.name}: reach with {low} to {high} kPa"
     if study.point is None:
         return words
+    if study.interrupted:
+        return f"{words}; interrupted"
     if study.point.is_reached:
         return f"{words}; the point is reached to {1e3 * study.point.miss_m:.2g} mm"
     return f"{words}; the point is {1e3 * study.point.miss_m:.3g} mm out of reach"
