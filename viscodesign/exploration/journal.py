@@ -65,7 +65,9 @@ def opened(folder: Path, study: str, words: str, *, replace: bool = False) -> It
                 f"{folder} holds another sweep: {head.get('words', 'unknown')}. Use another "
                 "folder with -o DIR, or --force to replace it"
             )
-        results = [_result(_parsed(line)) for line in lines[1:]]
+        # A line that a disk has spoilt is no row: it is computed again.
+        parsed = (_parsed(line) for line in lines[1:])
+        results = [_result(line) for line in parsed if _is_row(line)]
         with write_errors_as_usage(path):
             file.truncate(sum(map(len, lines)))
             if not lines:
@@ -104,6 +106,10 @@ def _line(found: DesignResult) -> bytes:
 
 def _json(document: Any) -> bytes:
     return json.dumps(document, separators=(",", ":")).encode() + b"\n"
+
+
+def _is_row(line: Any) -> bool:
+    return isinstance(line, list) and len(line) == 5 and isinstance(line[3], list)
 
 
 def _result(line: Any) -> DesignResult:

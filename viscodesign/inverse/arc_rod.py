@@ -32,6 +32,11 @@ class ArcRod:
         own = length * chord
         return np.stack([(own * np.sin(middle)).sum(1), (own * np.cos(middle)).sum(1)], axis=1)
 
+    def longest(self, pressure: float, bellows: int) -> float:
+        """Length of the rod with one pressure in all of so many bellows [m]."""
+        stretched = float(np.sum(np.broadcast_to(self.stretch, bellows)))
+        return self.section * (bellows // 2 + stretched * pressure)
+
     def slopes(self, pressure: np.ndarray) -> np.ndarray:
         """(T, 2, B) derivatives of the tip by the pressures."""
         middle, length, chord, slope = self._arcs(pressure)

@@ -22,7 +22,7 @@ def beyond_reach(
     would help; None where it may be in reach.
 
     The highest pressure is that of the limits, or of the input where its numbers are not free;
-    with other numbers of the body free, nothing is said.
+    with other numbers of the body free, or a measured curve of it, nothing is said.
     """
     has_free_body = any(key.startswith(("actuator", "bellows", "loads")) for key in choice.keys)
     if not has_free_body and (words := far_words(wanted.points, scene.actuator.length)):
@@ -33,15 +33,16 @@ def beyond_reach(
     has_free_pressure = any(key.startswith(("input", "gauge")) for key in choice.keys)
     if has_free_body or (has_free_pressure and choice.harmonics is None):
         return None
+    if scene.bellows.curves:
+        return None  # it may stretch by more than its slope at rest says
     if choice.harmonics is not None:
         high = choice.harmonics.limits[1]
     else:
         high = max(source.extremes(scene.run.duration)[1] for source in scene.inputs.values())
         if not all(source.gives_pressure for source in scene.inputs.values()):
             return None
-    rod, length = ArcRod.of(SceneQuantities(scene)), scene.actuator.length
-    level = max(scene.gauge_pressure + high, 0.0)
-    longest = length * (1 + 2 * rod.stretch * level)
+    length, level = scene.actuator.length, max(scene.gauge_pressure + high, 0.0)
+    longest = ArcRod.of(SceneQuantities(scene)).longest(level, scene.bellows.count)
     far = np.linalg.norm(wanted.points, axis=1)
     beyond = float(far.max()) - longest
     if beyond <= max(tolerance, SLACK * length):

@@ -2,7 +2,8 @@
 
 The signed area of a small loop is a sum over the harmonics of the input, each with the sign that
 the graph gives it at that frequency: the column that is fed first leads the other one. So the
-sign of one harmonic at all frequencies, with many lengths, is that of every input.
+sign of one harmonic at all frequencies, with many lengths, is that of every input, as long as the
+rod follows its pressures: near its own frequency it swings, and nothing is said.
 """
 
 from __future__ import annotations
@@ -13,6 +14,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.effects.allowed_sets import AllowedSets
+from viscodesign.effects.base import Trait
+from viscodesign.effects.catalogue import traits_of
+from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.estimate.swinging_rods import EFFECTIVE_MASS, FIRST_BENDING
 from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.tree_graph import TreeGraph, mirrored, sizes_of, tree_of, with_tree
@@ -26,6 +32,8 @@ ROUND = 0.2
 """Area of a loop, over that of a circle of its length, from which it has a sense."""
 SMALL_SHARE = 1e-4
 """Amplitude of the harmonic, in parts of the limits: a linear motion."""
+SLOW = 2.0
+"""Shortest period, over that in which the rod swings by itself, at which it follows without."""
 LEAST_AREA = 1e-3
 """A loop below this part of the largest area of all draws has no sense."""
 
@@ -50,6 +58,7 @@ def wrong_sense(wanted: WantedPath, choice: FreeChoice, scene: Scene) -> WrongSe
         or own is None
         or scene.input is None
         or roundness < ROUND
+        or _may_swing(choice, scene)
     ):
         return None
     sizes = sizes_of(scene, scene.bellows.count)
@@ -70,6 +79,29 @@ def wrong_sense(wanted: WantedPath, choice: FreeChoice, scene: Scene) -> WrongSe
         "network.graph: chain free, or target.sense: any",
         with_tree(scene, mirrored(own, sections), sizes),
     )
+
+
+def _may_swing(choice: FreeChoice, scene: Scene) -> bool:
+    """Whether the input may be so fast that the rod swings: beyond its resonance x lags by half a
+    turn, and the loop goes the other way round."""
+    quantities = SceneQuantities(scene)
+    if Trait.ROD_INERTIA not in traits_of(AllowedSets(quantities).everything):
+        return False
+    heavier = 1 + scene.loads.payload / (EFFECTIVE_MASS * quantities.solid_mass)
+    own = 2 * math.pi * quantities.scales.t_s / FIRST_BENDING * math.sqrt(heavier)
+    return _fastest(choice, scene) < SLOW * own
+
+
+def _fastest(choice: FreeChoice, scene: Scene) -> float:
+    """Shortest period of the input's harmonics [s]; of other inputs that of the input itself."""
+    if choice.harmonics is not None:
+        return choice.harmonics.period[0] / choice.harmonics.count
+    for own in choice.ranges:
+        if own.key == "input.period":
+            return own.low
+        if own.key == "input.frequency":
+            return 1 / own.high
+    return float(scene.period or math.inf)
 
 
 def _common_sense(areas: np.ndarray) -> int:

@@ -41,6 +41,8 @@ def outcome_of(
 ) -> tuple[Status, str | None]:
     """How the run ended, and the message where it ended badly."""
     if run.solution.interrupted:
+        if not len(run.motion.time):
+            raise KeyboardInterrupt  # before the first output: there is nothing to keep
         return "interrupted", f"interrupted at t = {run.motion.time[-1]:.6g} s"
     if verifier.interrupted:
         return "interrupted", (

@@ -143,6 +143,16 @@ def test_a_torn_line_is_computed_again(tmp_path: Path) -> None:
     assert Counter(row for row, *_ in lines(tmp_path)) == {0: 1, 1: 1, 2: 1}
 
 
+def test_a_spoilt_line_is_computed_again(tmp_path: Path) -> None:
+    first = quick(scene(), RADII, folder=tmp_path)
+    kept = tmp_path / "sweep.rows.jsonl"
+    head, _, *rest = kept.read_bytes().splitlines(keepends=True)
+    kept.write_bytes(b"".join([head, bytes(40), b"\n", *rest]))
+    again = quick(scene(), RADII, folder=tmp_path)
+    assert again.computed == 1
+    assert again.results == first.results
+
+
 @pytest.mark.parametrize(
     ("other", "over"),
     [(scene, {"network.tube_radius": [0.3e-3]}), (lambda: scene("fluid=water"), RADII)],

@@ -159,7 +159,7 @@ def test_a_task_without_sense_gets_one_message(
 def test_bounds_without_a_unit_are_si_where_the_spec_is_near(tmp_path: Path) -> None:
     free = {"input.drop": [10e3, 60e3], "network.tube_radius": [2e-4, 2e-3]}
     read = read_target(task(tmp_path, free, ROWS))
-    assert [(own.low, own.high) for own in free_choice(read, small()).ranges] == [*free.values()]
+    assert [[own.low, own.high] for own in free_choice(read, small()).ranges] == [*free.values()]
 
 
 def test_a_tolerance_that_a_tip_at_rest_meets_is_refused(tmp_path: Path) -> None:

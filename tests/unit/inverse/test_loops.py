@@ -13,8 +13,13 @@ from tests.unit.inverse.tasks import loop, small, task
 from viscodesign import PathDesign, design, load, simulate
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import SpecError
+from viscodesign.inverse.free_choice import free_choice
+from viscodesign.inverse.loop_sense import wrong_sense
+from viscodesign.inverse.posed_scene import posed_scene
 from viscodesign.inverse.quick_motion import QuickMotion
+from viscodesign.inverse.target_spec import read_target
 from viscodesign.inverse.tree_graph import chain, mirrored, tree_of, with_tree
+from viscodesign.inverse.wanted_path import wanted_path
 
 HARMONICS = {"harmonics": 2, "period": ["2 s", "60 s"], "limits": ["-20 kPa", "25 kPa"]}
 FREE = {"network.tubes[*].length": ["5 mm", "300 mm"], "input": HARMONICS}
@@ -63,6 +68,26 @@ def test_the_wrong_sense_is_refused_and_the_mirrored_graph_is_not(tmp_path: Path
     assert found.evaluations == 0
     (tmp_path / "spec.yaml").write_text(found.spec_text)
     assert design(path).status == "met"
+
+
+@pytest.mark.parametrize(
+    ("payload", "shortest", "refused"),
+    [("0 g", "0.25 s", True), ("0 g", "0.15 s", False), ("200 g", "0.25 s", False)],
+)
+def test_near_the_rods_own_frequency_no_sense_is_wrong(
+    payload: str, shortest: str, refused: bool, tmp_path: Path
+) -> None:
+    """A leg fed first at R goes counter-clockwise at 20 Hz: 41 mm2 with 3 kPa and 1.2 mm tubes."""
+    leg = load("configs/leg_16_straight_air.yaml", {"loads.payload": payload})
+    leg = leg.replace({"effects": "auto"})
+    circle = 5e-3 * np.exp(2j * np.pi * np.arange(65) / 64) + 0.11j
+    rows = np.column_stack([circle.real, circle.imag]).tolist()
+    own = {"harmonics": 2, "period": [shortest, "9 s"], "limits": ["-9 kPa", "9 kPa"]}
+    read = read_target(task(tmp_path, {"input": own}, {"rows": rows}))
+    wanted, choice = wanted_path(read), free_choice(read, leg)
+    assert choice.harmonics is not None
+    scene = posed_scene(choice.harmonics.placed(leg), wanted, read.spec.tolerance)
+    assert (wrong_sense(wanted, choice, scene) is not None) == refused
 
 
 def test_a_path_beyond_the_longest_rod_is_refused_by_how_much(tmp_path: Path) -> None:
