@@ -31,10 +31,11 @@ IDENTIFIED = 0.5
 """Half width of an interval, in parts of the value, up to which a number counts as identified."""
 
 
-def fitted_numbers(misfit: Misfit, spread: Spread, stop: StopRequest) -> tuple[FittedNumber, ...]:
+def fitted_numbers(
+    misfit: Misfit, spread: Spread, profiles: Profiles, stop: StopRequest
+) -> tuple[FittedNumber, ...]:
     """The scene's free numbers with intervals; Gaussian ones once the user asked to stop."""
     ranges = ranges_of(misfit.models, misfit.unknowns)
-    profiles = Profiles(misfit, spread, ranges, stop)
     shares = ranges.shares(spread.values)
     return tuple(
         _number(misfit, spread, profiles, k, _edge(float(shares[k])), stop) for k in misfit.pulled

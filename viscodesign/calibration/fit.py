@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clock
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,16 +24,23 @@ from viscodesign.calibration.findings import (
 )
 from viscodesign.calibration.fitted_spec import fitted_scene, spec_text
 from viscodesign.calibration.misfit import Misfit, Unknown, first_levels
-from viscodesign.calibration.pattern import pattern_of
+from viscodesign.calibration.pattern import Pattern, pattern_of
+from viscodesign.calibration.profile_likelihood import Profiles
 from viscodesign.calibration.recording import Recording, read_recording
 from viscodesign.calibration.resolution import ResolutionCheck, first_solving, resolved
 from viscodesign.calibration.run_model import RunModel, Solving
-from viscodesign.calibration.spread import spread_of
-from viscodesign.calibration.unknowns import DEFAULT_KEYS, run_unknowns, scene_unknowns
+from viscodesign.calibration.spread import Spread, spread_of
+from viscodesign.calibration.unknowns import (
+    DEFAULT_KEYS,
+    ranges_of,
+    run_unknowns,
+    scene_unknowns,
+)
 from viscodesign.errors import Fault, SpecError
 from viscodesign.exploration.least_squares import BestSoFar, FitStatus
 from viscodesign.interrupt import StopRequest, gentle_interrupt
-from viscodesign.results.fit_result import Experiment, Fit, RunStatus
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.results.fit_result import Experiment, Fit, FittedNumber, RunStatus
 from viscodesign.results.mismatch import Mismatch
 from viscodesign.scene.reading.markers_file import MarkersFile, read_markers
 from viscodesign.scene.reading.sources import SpecSource
@@ -42,6 +49,11 @@ from viscodesign.scene.scene import Scene
 
 Progress = Callable[[float], None]
 TYPICAL_EVALUATIONS = 60.0
+LOWER = 0.5
+"""Fall of the squares on a profile from which the search had not ended at the least: 0.7 standard
+deviations of a number."""
+MOST_RETURNS = 2
+"""Searches that go on from where a profile has led to."""
 
 
 def fit(
@@ -90,6 +102,18 @@ def fit(
         if not stop.asked and (is_unsure if next_experiment is None else next_experiment):
             found = replace(found, next_experiment=fitting.next_experiment(found))
     return replace(found, wall_s=clock.perf_counter() - began)
+
+
+@dataclass(frozen=True)
+class _FitIntervals:
+    """The intervals of an estimate, and what they follow from."""
+
+    best: Estimate
+    pattern: Pattern
+    misfit: Misfit
+    """With noise as large as the pattern calls for."""
+    spread: Spread
+    numbers: tuple[FittedNumber, ...]
 
 
 class _Fitting:
@@ -236,13 +260,26 @@ class _Fitting:
         misfit = Misfit(models, self._unknowns(models), before.levels, before.kept)
         return polished(self.search, Estimate(best.values[kept], misfit, best.status), misfit)
 
+    def _with_intervals(self, best: Estimate) -> _FitIntervals:
+        """The intervals of an estimate; of a better one where a profile has led to it."""
+        for turn in range(MOST_RETURNS + 1):
+            pattern = pattern_of(best.misfit, best.values)
+            pairs = zip(best.misfit.levels, pattern.widening, strict=True)
+            widened = best.misfit.with_(levels=[level * factor for level, factor in pairs])
+            spread, stop = spread_of(widened, best.values), self.search.stop
+            ranges = ranges_of(widened.models, widened.unknowns)
+            profiles = Profiles(widened, spread, ranges, stop)
+            numbers = fitted_numbers(widened, spread, profiles, stop)
+            if profiles.lowest.rise > -LOWER or stop.asked or turn == MOST_RETURNS:
+                break
+            best = refined(self.search, best.misfit, profiles.lowest.values, best.status)
+        return _FitIntervals(best, pattern, widened, spread, numbers)
+
     def _told(self, best: Estimate, check: ResolutionCheck) -> Fit:
-        pattern = pattern_of(best.misfit, best.values)
-        pairs = zip(best.misfit.levels, pattern.widening, strict=True)
-        widened = best.misfit.with_(levels=[level * factor for level, factor in pairs])
-        self.best, self.spread = best, spread_of(widened, best.values)
+        found = self._with_intervals(best)
+        best, pattern, widened, numbers = found.best, found.pattern, found.misfit, found.numbers
+        self.best, self.spread = best, found.spread
         stop = self.search.stop
-        numbers = fitted_numbers(widened, self.spread, stop)
         products = fitted_products(widened, self.spread, numbers)
         scene = fitted_scene(self.scene, numbers)
         is_stopped = stop.asked or best.status == "interrupted"
@@ -273,7 +310,11 @@ class _Fitting:
             spec=spec_text(scene, numbers),
             resolved_sha256=resolved_sha256(self.scene),
             left_out=tuple(self.left_out.items()),
-            warnings=(*self._warnings(check, pattern.channels), *edge_warnings(numbers)),
+            warnings=(
+                *_search_warnings(best.status),
+                *self._warnings(check, pattern.channels),
+                *edge_warnings(numbers),
+            ),
             mismatch=mismatch,
             evaluations=self.search.evaluations,
         )
@@ -300,6 +341,14 @@ class _Fitting:
                 f"{check.bias:.2g} standard deviations"
             )
         return found
+
+
+def _search_warnings(status: FitStatus) -> Iterator[str]:
+    if status == "unfinished":
+        yield (
+            "the search ended before it had settled: numbers and intervals may be off; go on from "
+            "spec.yaml as the spec"
+        )
 
 
 def _status(search: FitStatus, mismatch: Mismatch | None) -> RunStatus:

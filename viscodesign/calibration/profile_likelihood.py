@@ -68,6 +68,8 @@ class Profiles:
         self._low, self._high = ranges.low, ranges.high
         self._is_log = np.array([own.is_log for own in misfit.unknowns])
         self._derived: list[int] = []
+        self.lowest = ProfilePoint(spread.values, 0.0)
+        """The point of all profiles with the least squares: below 0, the best fit was none."""
 
     def ends(self, number: int) -> tuple[IntervalEnd, IntervalEnd]:
         """Both ends of the interval of a number; see `IntervalEnd`."""
@@ -94,6 +96,8 @@ class Profiles:
             if self._stop.asked:
                 raise KeyboardInterrupt
             found = profile.at(inside.values, sign * (step - done))
+            if found is not None and found.rise < self.lowest.rise:
+                self.lowest = found
             root = math.inf if found is None else math.sqrt(max(found.rise, 0.0))
             if abs(root / NORMAL_95 - 1) < CLOSE:
                 return IntervalEnd(profile.value_at(sign * step * NORMAL_95 / root), False)

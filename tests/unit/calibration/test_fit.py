@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +12,12 @@ import pytest
 
 from tests.recordings import columns_of, small_scene, written
 from viscodesign import fit, load
+from viscodesign.calibration import fit as fit_module
 from viscodesign.calibration import run_model
 from viscodesign.calibration.driving import driven
+from viscodesign.calibration.estimate import Estimate, Search
 from viscodesign.calibration.recording import read_recording
+from viscodesign.calibration.resolution import Models, ResolutionCheck, resolved
 from viscodesign.calibration.run_model import RunModel, Solving
 from viscodesign.calibration.unknowns import ranges_of, run_unknowns, scene_unknowns
 from viscodesign.cli.texts.fit_text import untold
@@ -223,6 +227,26 @@ def test_intervals_are_as_wide_as_the_misfit(scene: Scene, plain: Fit) -> None:
         assert wide > np.sqrt(found.mismatch.mean_square) * narrow
         assert abs(found[key].value / TRUTH[key] - 1) < wide
     assert plain.mismatch is None
+
+
+def test_a_profile_that_falls_leads_back_to_the_least_squares(
+    scene: Scene, plain: Fit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A search that ends early, three percent off, is gone on with from where a profile led."""
+
+    def early(
+        search: Search, best: Estimate, models: Models, solving: Solving
+    ) -> tuple[Estimate, ResolutionCheck]:
+        found, check = resolved(search, best, models, solving)
+        return replace(found, values=1.03 * found.values), check
+
+    monkeypatch.setattr(fit_module, "resolved", early)
+    found = fit(scene, plain.runs[0].file, KEYS)
+    for key in KEYS:
+        half = plain[key].half_width
+        assert half is not None
+        assert found[key].value == pytest.approx(plain[key].value, rel=0.05 * half)
+        assert found[key].half_width == pytest.approx(half, rel=0.05)
 
 
 def test_ctrl_c_keeps_the_best_so_far(scene: Scene, plain: Fit) -> None:
