@@ -25,6 +25,8 @@ CONSISTENT = 1e-12
 ROUND_OFF_CORRECTION = 1e-8
 """Correction that is round-off of stiff equations if it no longer gets smaller."""
 MAX_CORRECTIONS = 12
+MOST_WITH_STAGES = 500
+"""Unknowns up to which the stages of all steps are recorded: 36 kB a step."""
 
 
 @dataclass(frozen=True)
@@ -135,7 +137,9 @@ class Stretches:
             time=time,
             size=steps.first_size(size, edges[-1] - time),
         )
-        record, rest = StepRecord() if recorded else None, np.append(piece, 1.0)
+        has_stages = steps.assembly.unknowns <= MOST_WITH_STAGES
+        record = StepRecord(has_stages=has_stages) if recorded else None
+        rest = np.append(piece, 1.0)
         columns = self._march(problem, steps, state, rest, edges, record, taken)
         states, unknowns = problem.equations.states.count, problem.unknowns
         end = Start(state.y[:states], state.y[states:unknowns])

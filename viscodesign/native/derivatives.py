@@ -41,7 +41,7 @@ class Stretch:
     edges: np.ndarray
     """(ne,) times of the outputs after the beginning [s]; the last one is the end."""
     steps: np.ndarray
-    """Record of the steps taken, in their order."""
+    """Record of the steps taken, in their order, with or without their stages."""
 
 
 @dataclass
@@ -221,7 +221,7 @@ def _recorded(
         *(assembly.drive_rows, assembly.drive_columns),
         *(lu.blocks, lu.own, lu.slots, lu.lu_start, lu.lu_columns, lu.diagonal),
         *(len(structure.rows), structure.rows, structure.columns, lu.place),
-        *(structure.mass, METHOD, steps.reshape(-1), len(steps)),
+        *(structure.mass, METHOD, steps.reshape(-1), *steps.shape),
         *(np.ascontiguousarray(stretch.edges), len(stretch.edges)),
     )
 

@@ -1,4 +1,4 @@
-; made from e11f1a684d7c59f194a3920991c93590a5ed79c8b82a8a7b262a758c6a711c6b
+; made from 92833b02981cd4b18ce82bb07825d78a4711973d701f48f0f9be82a910fcfbe5
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -2190,152 +2190,157 @@ B1086.if:
   br i1 %exitcond294.not, label %B1126, label %B1086.if
 }
 
-define i64 @march(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, i64 %a27, ptr %a28, ptr %a29) {
+define i64 @march(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, i64 %a27, i64 %a28, ptr %a29, ptr %a30) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @march.20(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, i64 %a27, ptr %a28, ptr %a29)
+  %1 = call i32 @march.20(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, i64 %a20, i64 %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, ptr %a26, i64 %a27, i64 %a28, ptr %a29, ptr %a30)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @march.20(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, i64 %arg.most_recorded, ptr noalias %arg.record, ptr noalias %arg.work) noinline {
+define internal i32 @march.20(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, i64 %arg.most_recorded, i64 %arg.record_length, ptr noalias %arg.record, ptr noalias %arg.work) noinline {
 entry:
-  %.485 = alloca double, align 8
-  store double 0.000000e+00, ptr %.485, align 8
+  %.490 = alloca double, align 8
+  store double 0.000000e+00, ptr %.490, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.541 = alloca ptr, align 8
-  store ptr null, ptr %.541, align 8
+  %.546 = alloca ptr, align 8
+  store ptr null, ptr %.546, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.594 = alloca ptr, align 8
-  store ptr null, ptr %.594, align 8
+  %.599 = alloca ptr, align 8
+  store ptr null, ptr %.599, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.625 = alloca i64, align 8
-  store i64 0, ptr %.625, align 8
+  %.630 = alloca i64, align 8
+  store i64 0, ptr %.630, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.687 = alloca ptr, align 8
-  store ptr null, ptr %.687, align 8
+  %.692 = alloca ptr, align 8
+  store ptr null, ptr %.692, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.727 = alloca ptr, align 8
-  store ptr null, ptr %.727, align 8
+  %.732 = alloca ptr, align 8
+  store ptr null, ptr %.732, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.754 = alloca ptr, align 8
-  store ptr null, ptr %.754, align 8
+  %.759 = alloca ptr, align 8
+  store ptr null, ptr %.759, align 8
   %excinfo.7 = alloca ptr, align 8
   store ptr null, ptr %excinfo.7, align 8
-  %.788 = alloca double, align 8
-  store double 0.000000e+00, ptr %.788, align 8
+  %.793 = alloca double, align 8
+  store double 0.000000e+00, ptr %.793, align 8
   %excinfo.8 = alloca ptr, align 8
   store ptr null, ptr %excinfo.8, align 8
-  %.823 = alloca double, align 8
-  store double 0.000000e+00, ptr %.823, align 8
+  %.828 = alloca double, align 8
+  store double 0.000000e+00, ptr %.828, align 8
   %excinfo.9 = alloca ptr, align 8
   store ptr null, ptr %excinfo.9, align 8
-  %.872 = alloca double, align 8
-  store double 0.000000e+00, ptr %.872, align 8
+  %.877 = alloca double, align 8
+  store double 0.000000e+00, ptr %.877, align 8
   %excinfo.10 = alloca ptr, align 8
   store ptr null, ptr %excinfo.10, align 8
-  %.1145 = alloca ptr, align 8
-  store ptr null, ptr %.1145, align 8
+  %.1152 = alloca ptr, align 8
+  store ptr null, ptr %.1152, align 8
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
-  %.1191 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1191, align 8
+  %.1198 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1198, align 8
   %excinfo.12 = alloca ptr, align 8
   store ptr null, ptr %excinfo.12, align 8
-  %.1242 = alloca ptr, align 8
-  store ptr null, ptr %.1242, align 8
+  %.1257 = alloca ptr, align 8
+  store ptr null, ptr %.1257, align 8
   %excinfo.13 = alloca ptr, align 8
   store ptr null, ptr %excinfo.13, align 8
-  %.1284 = alloca ptr, align 8
-  store ptr null, ptr %.1284, align 8
+  %.1296 = alloca ptr, align 8
+  store ptr null, ptr %.1296, align 8
   %excinfo.14 = alloca ptr, align 8
   store ptr null, ptr %excinfo.14, align 8
-  %.1410 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1410, align 8
+  %.1341 = alloca ptr, align 8
+  store ptr null, ptr %.1341, align 8
   %excinfo.15 = alloca ptr, align 8
   store ptr null, ptr %excinfo.15, align 8
-  %.1452 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1452, align 8
+  %.1469 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1469, align 8
   %excinfo.16 = alloca ptr, align 8
   store ptr null, ptr %excinfo.16, align 8
-  %.1507 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1507, align 8
+  %.1511 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1511, align 8
   %excinfo.17 = alloca ptr, align 8
   store ptr null, ptr %excinfo.17, align 8
-  %.1539 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1539, align 8
+  %.1566 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1566, align 8
   %excinfo.18 = alloca ptr, align 8
   store ptr null, ptr %excinfo.18, align 8
-  %.92 = load i64, ptr %arg.layout, align 8
-  %.94 = getelementptr i8, ptr %arg.layout, i64 16
-  %.95 = load i64, ptr %.94, align 8
-  %.105.idx = shl i64 %.92, 6
-  %.105 = getelementptr i8, ptr %arg.work, i64 %.105.idx
-  %.108.idx = mul i64 %.92, 72
-  %.108 = getelementptr i8, ptr %arg.work, i64 %.108.idx
-  %.idx = mul i64 %.92, 80
+  %.1598 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1598, align 8
+  %excinfo.19 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.19, align 8
+  %.95 = load i64, ptr %arg.layout, align 8
+  %.97 = getelementptr i8, ptr %arg.layout, i64 16
+  %.98 = load i64, ptr %.97, align 8
+  %.107 = shl nsw i64 %.95, 3
+  %.108 = getelementptr double, ptr %arg.work, i64 %.107
+  %.111.idx = mul i64 %.95, 72
+  %.111 = getelementptr i8, ptr %arg.work, i64 %.111.idx
+  %.idx = mul i64 %.95, 80
   %0 = getelementptr i8, ptr %arg.work, i64 %.idx
-  %.112 = getelementptr i8, ptr %0, i64 8
-  %.idx164 = mul i64 %.92, 88
-  %1 = getelementptr i8, ptr %arg.work, i64 %.idx164
-  %.125 = getelementptr i8, ptr %1, i64 8
-  %.idx165 = mul i64 %.92, 96
-  %2 = getelementptr i8, ptr %arg.work, i64 %.idx165
-  %.129 = getelementptr i8, ptr %2, i64 8
-  %.139.idx = shl i64 %arg.blocks, 5
-  %.139 = getelementptr i8, ptr %.129, i64 %.139.idx
-  %.146.idx = shl i64 %arg.blocks, 4
-  %.146 = getelementptr i8, ptr %.139, i64 %.146.idx
-  %.151 = getelementptr double, ptr %.146, i64 %.95
-  %.157 = getelementptr i8, ptr %arg.layout, i64 24
-  %.158 = load i64, ptr %.157, align 8
-  %3 = getelementptr double, ptr %.151, i64 %.95
+  %.115 = getelementptr i8, ptr %0, i64 8
+  %.idx173 = mul i64 %.95, 88
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx173
+  %.128 = getelementptr i8, ptr %1, i64 8
+  %.idx174 = mul i64 %.95, 96
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx174
+  %.132 = getelementptr i8, ptr %2, i64 8
+  %.142.idx = shl i64 %arg.blocks, 5
+  %.142 = getelementptr i8, ptr %.132, i64 %.142.idx
+  %.149.idx = shl i64 %arg.blocks, 4
+  %.149 = getelementptr i8, ptr %.142, i64 %.149.idx
+  %.154 = getelementptr double, ptr %.149, i64 %.98
+  %.160 = getelementptr i8, ptr %arg.layout, i64 24
+  %.161 = load i64, ptr %.160, align 8
+  %3 = getelementptr double, ptr %.154, i64 %.98
   %4 = getelementptr i8, ptr %3, i64 8
-  %.161 = getelementptr double, ptr %4, i64 %.158
-  %.166 = getelementptr i8, ptr %arg.layout, i64 8
-  %.167 = load i64, ptr %.166, align 8
-  %5 = getelementptr double, ptr %.161, i64 %.167
-  %.170 = getelementptr i8, ptr %5, i64 8
-  %.175 = getelementptr i8, ptr %arg.layout, i64 256
-  %.176 = load i64, ptr %.175, align 8
-  %.178 = getelementptr double, ptr %.170, i64 %.176
+  %.164 = getelementptr double, ptr %4, i64 %.161
+  %.169 = getelementptr i8, ptr %arg.layout, i64 8
+  %.170 = load i64, ptr %.169, align 8
+  %5 = getelementptr double, ptr %.164, i64 %.170
+  %.173 = getelementptr i8, ptr %5, i64 8
+  %.178 = getelementptr i8, ptr %arg.layout, i64 256
+  %.179 = load i64, ptr %.178, align 8
+  %.181 = getelementptr double, ptr %.173, i64 %.179
   %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
-  %.185 = getelementptr i8, ptr %6, i64 -8
-  %.186 = load double, ptr %.185, align 8
-  %.192 = load i64, ptr %arg.counts, align 8
-  %.284270.not = icmp slt i64 %arg.max_steps, 1
-  br i1 %.284270.not, label %B2754, label %B672.if.lr.ph
+  %.188 = getelementptr i8, ptr %6, i64 -8
+  %.189 = load double, ptr %.188, align 8
+  %.195 = load i64, ptr %arg.counts, align 8
+  %.287287.not = icmp slt i64 %arg.max_steps, 1
+  br i1 %.287287.not, label %B2860, label %B672.if.lr.ph
 
 B672.if.lr.ph:
-  %.424 = getelementptr i8, ptr %arg.state, i64 8
-  %.566 = getelementptr i8, ptr %arg.counts, i64 32
-  %.576 = getelementptr i8, ptr %arg.method, i64 1344
-  %.587 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
-  %.650 = getelementptr i8, ptr %arg.counts, i64 8
-  %.712 = getelementptr i8, ptr %arg.counts, i64 24
-  %.722.idx = mul i64 %.92, 56
-  %.722 = getelementptr i8, ptr %arg.work, i64 %.722.idx
-  %.779 = getelementptr i8, ptr %arg.settings, i64 8
-  %.1184 = getelementptr i8, ptr %arg.state, i64 16
-  %.1187 = getelementptr i8, ptr %arg.method, i64 1352
-  %.1219 = icmp sgt i64 %arg.most_recorded, 0
-  %.1222 = add nsw i64 %.92, 3
-  %.1273 = getelementptr i8, ptr %arg.counts, i64 40
-  %.1503 = getelementptr i8, ptr %arg.settings, i64 16
-  %.860 = getelementptr i8, ptr %arg.counts, i64 16
-  %.868 = getelementptr i8, ptr %arg.method, i64 1352
-  %.909 = getelementptr i8, ptr %arg.settings, i64 24
+  %.429 = getelementptr i8, ptr %arg.state, i64 8
+  %.571 = getelementptr i8, ptr %arg.counts, i64 32
+  %.581 = getelementptr i8, ptr %arg.method, i64 1344
+  %.592 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.655 = getelementptr i8, ptr %arg.counts, i64 8
+  %.717 = getelementptr i8, ptr %arg.counts, i64 24
+  %.727.idx = mul i64 %.95, 56
+  %.727 = getelementptr i8, ptr %arg.work, i64 %.727.idx
+  %.784 = getelementptr i8, ptr %arg.settings, i64 8
+  %.1191 = getelementptr i8, ptr %arg.state, i64 16
+  %.1194 = getelementptr i8, ptr %arg.method, i64 1352
+  %.1226 = icmp sgt i64 %arg.most_recorded, 0
+  %.1282 = add nsw i64 %.95, 3
+  %.1284 = icmp sgt i64 %arg.record_length, %.1282
+  %.1330 = getelementptr i8, ptr %arg.counts, i64 40
+  %.1562 = getelementptr i8, ptr %arg.settings, i64 16
+  %.865 = getelementptr i8, ptr %arg.counts, i64 16
+  %.873 = getelementptr i8, ptr %arg.method, i64 1352
+  %.914 = getelementptr i8, ptr %arg.settings, i64 24
   %7 = add i64 %arg.edge_count, -1
   br label %B672.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B688 ], [ 0, %B1748 ], [ 0, %B2754 ], [ %.1545, %B2622.endif.if ], [ %.1513, %B2622.if ], [ %.491, %B818.endif.if ], [ %.545, %B860.if ], [ %.598, %B966.endif.if ], [ %.629, %B966.endif.endif.if ], [ %.691, %B1176.if ], [ %.731, %B1176.endif.if ], [ %.758, %B1176.endif.endif.if ], [ %.794, %B1176.endif.endif.endif.endif.if ], [ %.827, %B1176.endif.endif.endif.endif.endif.if ], [ %.876, %B1570.if ], [ %.1149, %B1942.if ], [ %.1195, %B2156.if ], [ %.1246, %B2248.if ], [ %.1288, %B2436.if ], [ 0, %B2494.endif.endif.endif ], [ %.1416, %B2494.if ], [ %.1458, %B2494.endif.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B688 ], [ 0, %B1748 ], [ 0, %B2860 ], [ %.1604, %B2728.endif.if ], [ %.1572, %B2728.if ], [ %.496, %B818.endif.if ], [ %.550, %B860.if ], [ %.603, %B966.endif.if ], [ %.634, %B966.endif.endif.if ], [ %.696, %B1176.if ], [ %.736, %B1176.endif.if ], [ %.763, %B1176.endif.endif.if ], [ %.799, %B1176.endif.endif.endif.endif.if ], [ %.832, %B1176.endif.endif.endif.endif.endif.if ], [ %.881, %B1570.if ], [ %.1156, %B1942.if ], [ %.1202, %B2156.if ], [ %.1261, %B2248.if ], [ %.1300, %B2418.if ], [ %.1345, %B2542.if ], [ 0, %B2600.endif.endif.endif ], [ %.1475, %B2600.if ], [ %.1517, %B2600.endif.endif.if ]
   ret i32 %common.ret.op
 
 B688:
@@ -2343,71 +2348,71 @@ B688:
   br label %common.ret
 
 B706:
-  %.422 = load double, ptr %arg.state, align 8
-  %.425 = load double, ptr %.424, align 8
-  %.434 = fsub contract double %.186, %.422
-  %.439 = fmul contract double %.434, 0x3FEFFFFFFF768FA1
-  %.441 = fcmp contract oge double %.425, %.439
-  br i1 %.441, label %B856, label %B800
+  %.427 = load double, ptr %arg.state, align 8
+  %.430 = load double, ptr %.429, align 8
+  %.439 = fsub contract double %.189, %.427
+  %.444 = fmul contract double %.439, 0x3FEFFFFFFF768FA1
+  %.446 = fcmp contract oge double %.430, %.444
+  br i1 %.446, label %B856, label %B800
 
 B800:
-  %.470 = fmul contract double %.434, 5.000000e-01
-  %.472 = fcmp contract ogt double %.425, %.470
-  br i1 %.472, label %B818, label %B856
+  %.475 = fmul contract double %.439, 5.000000e-01
+  %.477 = fcmp contract ogt double %.430, %.475
+  br i1 %.477, label %B818, label %B856
 
 B818:
-  store double 0.000000e+00, ptr %.485, align 8
-  %.491 = call i32 @numba.21(ptr nonnull %.485, ptr nonnull %excinfo.1, double %.425, double %.470)
-  switch i32 %.491, label %B818.endif.if [
+  store double 0.000000e+00, ptr %.490, align 8
+  %.496 = call i32 @numba.21(ptr nonnull %.490, ptr nonnull %excinfo.1, double %.430, double %.475)
+  switch i32 %.496, label %B818.endif.if [
     i32 -2, label %B818.endif.endif
     i32 0, label %B818.endif.endif
   ]
 
 B856:
-  %h.3.1 = phi double [ %.425, %B800 ], [ %.501, %B818.endif.endif ], [ %.434, %B706 ]
-  br i1 %fresh.3.0273, label %B966, label %B860
+  %h.3.1 = phi double [ %.430, %B800 ], [ %.506, %B818.endif.endif ], [ %.439, %B706 ]
+  br i1 %fresh.3.0290, label %B966, label %B860
 
 B860:
-  store ptr null, ptr %.541, align 8
-  %.545 = call i32 @linearise.22(ptr nonnull %.541, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.422, ptr %arg.y, ptr %arg.Y, ptr %.151, ptr %.161, ptr %.125, ptr %.170, ptr %.178)
-  switch i32 %.545, label %B860.if [
+  store ptr null, ptr %.546, align 8
+  %.550 = call i32 @linearise.22(ptr nonnull %.546, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.427, ptr %arg.y, ptr %arg.Y, ptr %.154, ptr %.164, ptr %.128, ptr %.173, ptr %.181)
+  switch i32 %.550, label %B860.if [
     i32 -2, label %B860.endif
     i32 0, label %B860.endif
   ]
 
 B966:
-  %.577 = load double, ptr %.576, align 8
-  %.579 = fmul contract double %h.3.1, %.577
-  %.583 = fdiv contract double 1.000000e+00, %.579
-  %.588 = load i32, ptr %.587, align 4
-  store ptr null, ptr %.594, align 8
-  %.598 = call i32 @lu_fill.23(ptr nonnull %.594, ptr nonnull %excinfo.3, i64 %.92, i32 %.588, ptr %.151, ptr %arg.own, ptr %arg.mass, double %.583, ptr %.146)
-  switch i32 %.598, label %B966.endif.if [
+  %.582 = load double, ptr %.581, align 8
+  %.584 = fmul contract double %h.3.1, %.582
+  %.588 = fdiv contract double 1.000000e+00, %.584
+  %.593 = load i32, ptr %.592, align 4
+  store ptr null, ptr %.599, align 8
+  %.603 = call i32 @lu_fill.23(ptr nonnull %.599, ptr nonnull %excinfo.3, i64 %.95, i32 %.593, ptr %.154, ptr %arg.own, ptr %arg.mass, double %.588, ptr %.149)
+  switch i32 %.603, label %B966.endif.if [
     i32 -2, label %B966.endif.endif
     i32 0, label %B966.endif.endif
   ]
 
 B1176:
-  store ptr null, ptr %.687, align 8
-  %.691 = call i32 @solve_stages.24(ptr nonnull %.687, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.422, double %h.3.1, ptr %arg.y, ptr %arg.Y, ptr %.125, ptr %.146, ptr %arg.work, ptr %.105, i64 0, ptr %.108, ptr %.112, ptr %.139, ptr %.170, ptr %.178)
-  switch i32 %.691, label %B1176.if [
+  store ptr null, ptr %.692, align 8
+  %.696 = call i32 @solve_stages.24(ptr nonnull %.692, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.427, double %h.3.1, ptr %arg.y, ptr %arg.Y, ptr %.128, ptr %.149, ptr %arg.work, ptr %.108, i64 0, ptr %.111, ptr %.115, ptr %.142, ptr %.173, ptr %.181)
+  switch i32 %.696, label %B1176.if [
     i32 -2, label %B1176.endif
     i32 0, label %B1176.endif
   ]
 
 B1558:
-  %error.2.1 = phi double [ %.837, %B1176.endif.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B966.endif.endif.endif ]
-  %.851 = fcmp contract ugt double %error.2.1, 1.000000e+00
-  br i1 %.851, label %B1570, label %B1770
+  %error.2.1 = phi double [ %.842, %B1176.endif.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B966.endif.endif.endif ]
+  %.856 = fcmp contract ugt double %error.2.1, 1.000000e+00
+  br i1 %.856, label %B1570, label %B1770
 
 B1570:
-  %.861 = load i64, ptr %.860, align 8
-  %.862 = add nsw i64 %.861, 1
-  store i64 %.862, ptr %.860, align 8
-  %.869 = load double, ptr %.868, align 8
-  store double 0.000000e+00, ptr %.872, align 8
-  %.876 = call i32 @step_factor.25(ptr nonnull %.872, ptr nonnull %excinfo.10, double %error.2.1, double 1.000000e+00, double %.869, ptr %arg.settings)
-  switch i32 %.876, label %B1570.if [
+  %.866 = load i64, ptr %.865, align 8
+  %.867 = add nsw i64 %.866, 1
+  store i64 %.867, ptr %.865, align 8
+  %.874 = load double, ptr %.873, align 8
+  store double 0.000000e+00, ptr %.877, align 8
+  %.881 = call i32 @step_factor.25(ptr nonnull %.877, ptr nonnull %excinfo.10, double %error.2.1, double 1.000000e+00, double %.874, ptr %arg.settings)
+  switch i32 %.881, label %B1570.if [
     i32 -2, label %B1570.endif
     i32 0, label %B1570.endif
   ]
@@ -2417,273 +2422,287 @@ B1748:
   br label %common.ret
 
 B1770:
-  %.1024 = fadd contract double %.422, %h.3.1
-  %until.2.1 = select i1 %.441, double %.186, double %.1024
-  %.1036 = load i64, ptr %arg.counts, align 8
-  %.1046 = icmp slt i64 %.1036, %arg.edge_count
-  br i1 %.1046, label %B1826, label %B1908
+  %.1031 = fadd contract double %.427, %h.3.1
+  %until.2.1 = select i1 %.446, double %.189, double %.1031
+  %.1043 = load i64, ptr %arg.counts, align 8
+  %.1053 = icmp slt i64 %.1043, %arg.edge_count
+  br i1 %.1053, label %B1826, label %B1908
 
 B1826:
-  %.1057 = getelementptr double, ptr %arg.edges, i64 %.1036
-  %.1058 = load double, ptr %.1057, align 8
-  %.1062 = fmul contract double %until.2.1, 0x3FF0000000000005
-  %.1063 = fcmp contract ugt double %.1058, %.1062
-  br i1 %.1063, label %B1908, label %B1856
+  %.1064 = getelementptr double, ptr %arg.edges, i64 %.1043
+  %.1065 = load double, ptr %.1064, align 8
+  %.1069 = fmul contract double %until.2.1, 0x3FF0000000000005
+  %.1070 = fcmp contract ugt double %.1065, %.1069
+  br i1 %.1070, label %B1908, label %B1856
 
 B1856:
-  %stop.2.1 = phi i64 [ %.1069, %B1878 ], [ %.1036, %B1826 ]
+  %stop.2.1 = phi i64 [ %.1076, %B1878 ], [ %.1043, %B1826 ]
   %exitcond.not = icmp eq i64 %stop.2.1, %7
   br i1 %exitcond.not, label %B1908, label %B1878
 
 B1878:
-  %.1069 = add nsw i64 %stop.2.1, 1
-  %.1090 = getelementptr double, ptr %arg.edges, i64 %.1069
-  %.1091 = load double, ptr %.1090, align 8
-  %.1096 = fcmp contract ugt double %.1091, %.1062
-  br i1 %.1096, label %B1908, label %B1856
+  %.1076 = add nsw i64 %stop.2.1, 1
+  %.1097 = getelementptr double, ptr %arg.edges, i64 %.1076
+  %.1098 = load double, ptr %.1097, align 8
+  %.1103 = fcmp contract ugt double %.1098, %.1069
+  br i1 %.1103, label %B1908, label %B1856
 
 B1908:
-  %stop.3.2 = phi i64 [ %.1036, %B1826 ], [ %.1036, %B1770 ], [ %arg.edge_count, %B1856 ], [ %.1069, %B1878 ]
-  %.1113 = icmp sgt i64 %stop.3.2, %.1036
-  br i1 %.1113, label %B1942, label %B2156
+  %stop.3.2 = phi i64 [ %.1043, %B1826 ], [ %.1043, %B1770 ], [ %arg.edge_count, %B1856 ], [ %.1076, %B1878 ]
+  %.1120 = icmp sgt i64 %stop.3.2, %.1043
+  br i1 %.1120, label %B1942, label %B2156
 
 B1942:
-  %.1120 = getelementptr double, ptr %arg.edges, i64 %.1036
-  %.1125 = sub nsw i64 %stop.3.2, %.1036
-  %.1130 = sub nsw i64 %.1036, %.192
-  %.1132 = mul nsw i64 %.1130, %.92
-  %.1134 = getelementptr double, ptr %arg.outputs, i64 %.1132
-  store ptr null, ptr %.1145, align 8
-  %.1149 = call i32 @dense_output.26(ptr nonnull %.1145, ptr nonnull %excinfo.11, i64 %.92, ptr %arg.y, ptr %.112, ptr %arg.work, ptr %arg.method, double %.422, double %until.2.1, ptr %.1120, i64 %.1125, ptr %.1134, ptr %.108, ptr %.129, ptr %.139)
-  switch i32 %.1149, label %B1942.if [
+  %.1127 = getelementptr double, ptr %arg.edges, i64 %.1043
+  %.1132 = sub nsw i64 %stop.3.2, %.1043
+  %.1137 = sub nsw i64 %.1043, %.195
+  %.1139 = mul nsw i64 %.1137, %.95
+  %.1141 = getelementptr double, ptr %arg.outputs, i64 %.1139
+  store ptr null, ptr %.1152, align 8
+  %.1156 = call i32 @dense_output.26(ptr nonnull %.1152, ptr nonnull %excinfo.11, i64 %.95, ptr %arg.y, ptr %.115, ptr %arg.work, ptr %arg.method, double %.427, double %until.2.1, ptr %.1127, i64 %.1132, ptr %.1141, ptr %.111, ptr %.132, ptr %.142)
+  switch i32 %.1156, label %B1942.if [
     i32 -2, label %B1942.endif
     i32 0, label %B1942.endif
   ]
 
 B2156:
-  %.1185 = load double, ptr %.1184, align 8
-  %.1188 = load double, ptr %.1187, align 8
-  store double 0.000000e+00, ptr %.1191, align 8
-  %.1195 = call i32 @step_factor.25(ptr nonnull %.1191, ptr nonnull %excinfo.12, double %error.2.1, double %.1185, double %.1188, ptr %arg.settings)
-  %.1205 = load double, ptr %.1191, align 8
-  switch i32 %.1195, label %B2156.if [
+  %.1192 = load double, ptr %.1191, align 8
+  %.1195 = load double, ptr %.1194, align 8
+  store double 0.000000e+00, ptr %.1198, align 8
+  %.1202 = call i32 @step_factor.25(ptr nonnull %.1198, ptr nonnull %excinfo.12, double %error.2.1, double %.1192, double %.1195, ptr %arg.settings)
+  %.1212 = load double, ptr %.1198, align 8
+  switch i32 %.1202, label %B2156.if [
     i32 -2, label %B2156.endif
     i32 0, label %B2156.endif
   ]
 
 B2248:
-  %.1224 = mul nsw i64 %recorded.2.0272, %.1222
-  %.1226 = getelementptr double, ptr %arg.record, i64 %.1224
-  store double %.422, ptr %.1226, align 8
-  %.1233 = getelementptr i8, ptr %.1226, i64 8
-  store double %h.3.1, ptr %.1233, align 8
-  %.1236 = getelementptr i8, ptr %.1226, i64 16
-  store double %until.2.1, ptr %.1236, align 8
-  %.1239 = getelementptr i8, ptr %.1226, i64 24
-  store ptr null, ptr %.1242, align 8
-  %.1246 = call i32 @copy.27(ptr nonnull %.1242, ptr nonnull %excinfo.13, i64 %.92, ptr %arg.y, ptr %.1239)
-  switch i32 %.1246, label %B2248.if [
+  %.1232 = mul nsw i64 %recorded.2.0289, %arg.record_length
+  %.1234 = getelementptr double, ptr %arg.record, i64 %.1232
+  store double %.427, ptr %.1234, align 8
+  %.1246 = getelementptr i8, ptr %.1234, i64 8
+  store double %h.3.1, ptr %.1246, align 8
+  %.1250 = getelementptr i8, ptr %.1234, i64 16
+  store double %until.2.1, ptr %.1250, align 8
+  %.1254 = getelementptr i8, ptr %.1234, i64 24
+  store ptr null, ptr %.1257, align 8
+  %.1261 = call i32 @copy.27(ptr nonnull %.1257, ptr nonnull %excinfo.13, i64 %.95, ptr %arg.y, ptr %.1254)
+  switch i32 %.1261, label %B2248.if [
     i32 -2, label %B2248.endif
     i32 0, label %B2248.endif
   ]
 
-B2436:
-  %recorded.4.1 = phi i64 [ %.1267, %B2248.endif ], [ %recorded.2.0272, %B2156.endif ]
-  store ptr null, ptr %.1284, align 8
-  %.1288 = call i32 @copy.27(ptr nonnull %.1284, ptr nonnull %excinfo.14, i64 %.92, ptr %.112, ptr %arg.y)
-  switch i32 %.1288, label %B2436.if [
-    i32 -2, label %B2436.endif
-    i32 0, label %B2436.endif
+B2418:
+  %.1292 = getelementptr double, ptr %.1234, i64 %.1282
+  store ptr null, ptr %.1296, align 8
+  %.1300 = call i32 @copy.27(ptr nonnull %.1296, ptr nonnull %excinfo.14, i64 %.107, ptr %arg.work, ptr %.1292)
+  switch i32 %.1300, label %B2418.if [
+    i32 -2, label %B2512
+    i32 0, label %B2512
   ]
 
-B2494:
-  store double 0.000000e+00, ptr %.1410, align 8
-  %.1416 = call i32 @numba.28(ptr nonnull %.1410, ptr nonnull %excinfo.15, double %.425, double %h.3.1)
-  %.1426 = load double, ptr %.1410, align 8
-  switch i32 %.1416, label %B2494.if [
-    i32 -2, label %B2494.endif
-    i32 0, label %B2494.endif
+B2512:
+  %.1324 = add nsw i64 %recorded.2.0289, 1
+  store i64 %.1324, ptr %.1330, align 8
+  br label %B2542
+
+B2542:
+  %recorded.4.1 = phi i64 [ %.1324, %B2512 ], [ %recorded.2.0289, %B2156.endif ]
+  store ptr null, ptr %.1341, align 8
+  %.1345 = call i32 @copy.27(ptr nonnull %.1341, ptr nonnull %excinfo.15, i64 %.95, ptr %.115, ptr %arg.y)
+  switch i32 %.1345, label %B2542.if [
+    i32 -2, label %B2542.endif
+    i32 0, label %B2542.endif
   ]
 
-B2622:
-  %.1497 = fmul contract double %h.3.1, %.1205
-  %.1504 = load double, ptr %.1503, align 8
-  store double 0.000000e+00, ptr %.1507, align 8
-  %.1513 = call i32 @numba.21(ptr nonnull %.1507, ptr nonnull %excinfo.17, double %.1497, double %.1504)
-  switch i32 %.1513, label %B2622.if [
-    i32 -2, label %B2622.endif
-    i32 0, label %B2622.endif
+B2600:
+  store double 0.000000e+00, ptr %.1469, align 8
+  %.1475 = call i32 @numba.28(ptr nonnull %.1469, ptr nonnull %excinfo.16, double %.430, double %h.3.1)
+  %.1485 = load double, ptr %.1469, align 8
+  switch i32 %.1475, label %B2600.if [
+    i32 -2, label %B2600.endif
+    i32 0, label %B2600.endif
   ]
 
-B2754:
+B2728:
+  %.1556 = fmul contract double %h.3.1, %.1212
+  %.1563 = load double, ptr %.1562, align 8
+  store double 0.000000e+00, ptr %.1566, align 8
+  %.1572 = call i32 @numba.21(ptr nonnull %.1566, ptr nonnull %excinfo.18, double %.1556, double %.1563)
+  switch i32 %.1572, label %B2728.if [
+    i32 -2, label %B2728.endif
+    i32 0, label %B2728.endif
+  ]
+
+B2860:
   store i64 1, ptr %retptr, align 8
   br label %common.ret
 
-B2755:
-  %recorded.3.1 = phi i64 [ %recorded.4.1, %B2622.endif.endif ], [ %recorded.2.0272, %B1570.endif ]
-  %.284 = icmp sgt i64 %.228.0271, 1
-  br i1 %.284, label %B672.if, label %B2754
+B2861:
+  %recorded.3.1 = phi i64 [ %recorded.4.1, %B2728.endif.endif ], [ %recorded.2.0289, %B1570.endif ]
+  %.287 = icmp sgt i64 %.231.0288, 1
+  br i1 %.287, label %B672.if, label %B2860
 
 B672.if:
-  %fresh.3.0273 = phi i1 [ false, %B672.if.lr.ph ], [ %.851, %B2755 ]
-  %recorded.2.0272 = phi i64 [ 0, %B672.if.lr.ph ], [ %recorded.3.1, %B2755 ]
-  %.228.0271 = phi i64 [ %arg.max_steps, %B672.if.lr.ph ], [ %.293, %B2755 ]
-  %.293 = add nsw i64 %.228.0271, -1
-  %.324 = icmp eq i64 %recorded.2.0272, %arg.most_recorded
-  br i1 %.324, label %B688, label %B706
+  %fresh.3.0290 = phi i1 [ false, %B672.if.lr.ph ], [ %.856, %B2861 ]
+  %recorded.2.0289 = phi i64 [ 0, %B672.if.lr.ph ], [ %recorded.3.1, %B2861 ]
+  %.231.0288 = phi i64 [ %arg.max_steps, %B672.if.lr.ph ], [ %.296, %B2861 ]
+  %.296 = add nsw i64 %.231.0288, -1
+  %.327 = icmp eq i64 %recorded.2.0289, %arg.most_recorded
+  br i1 %.327, label %B688, label %B706
 
 B818.endif.if:
-  %.499 = icmp sgt i32 %.491, 0
-  %.492 = load ptr, ptr %excinfo.1, align 8
-  %.500 = select i1 %.499, ptr %.492, ptr undef
-  store ptr %.500, ptr %excinfo, align 8
+  %.504 = icmp sgt i32 %.496, 0
+  %.497 = load ptr, ptr %excinfo.1, align 8
+  %.505 = select i1 %.504, ptr %.497, ptr undef
+  store ptr %.505, ptr %excinfo, align 8
   br label %common.ret
 
 B818.endif.endif:
-  %.501 = load double, ptr %.485, align 8
+  %.506 = load double, ptr %.490, align 8
   br label %B856
 
 B860.if:
-  %.553 = icmp sgt i32 %.545, 0
-  %.546 = load ptr, ptr %excinfo.2, align 8
-  %.554 = select i1 %.553, ptr %.546, ptr undef
-  store ptr %.554, ptr %excinfo, align 8
+  %.558 = icmp sgt i32 %.550, 0
+  %.551 = load ptr, ptr %excinfo.2, align 8
+  %.559 = select i1 %.558, ptr %.551, ptr undef
+  store ptr %.559, ptr %excinfo, align 8
   br label %common.ret
 
 B860.endif:
-  %.567 = load i64, ptr %.566, align 8
-  %.568 = add nsw i64 %.567, 1
-  store i64 %.568, ptr %.566, align 8
+  %.572 = load i64, ptr %.571, align 8
+  %.573 = add nsw i64 %.572, 1
+  store i64 %.573, ptr %.571, align 8
   br label %B966
 
 B966.endif.if:
-  %.606 = icmp sgt i32 %.598, 0
-  %.599 = load ptr, ptr %excinfo.3, align 8
-  %.607 = select i1 %.606, ptr %.599, ptr undef
-  store ptr %.607, ptr %excinfo, align 8
+  %.611 = icmp sgt i32 %.603, 0
+  %.604 = load ptr, ptr %excinfo.3, align 8
+  %.612 = select i1 %.611, ptr %.604, ptr undef
+  store ptr %.612, ptr %excinfo, align 8
   br label %common.ret
 
 B966.endif.endif:
-  store i64 0, ptr %.625, align 8
-  %.629 = call i32 @lu_factor.17(ptr nonnull %.625, ptr nonnull %excinfo.4, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.146, ptr %.129)
-  switch i32 %.629, label %B966.endif.endif.if [
+  store i64 0, ptr %.630, align 8
+  %.634 = call i32 @lu_factor.17(ptr nonnull %.630, ptr nonnull %excinfo.4, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.149, ptr %.132)
+  switch i32 %.634, label %B966.endif.endif.if [
     i32 -2, label %B966.endif.endif.endif
     i32 0, label %B966.endif.endif.endif
   ]
 
 B966.endif.endif.if:
-  %.637 = icmp sgt i32 %.629, 0
-  %.630 = load ptr, ptr %excinfo.4, align 8
-  %.638 = select i1 %.637, ptr %.630, ptr undef
-  store ptr %.638, ptr %excinfo, align 8
+  %.642 = icmp sgt i32 %.634, 0
+  %.635 = load ptr, ptr %excinfo.4, align 8
+  %.643 = select i1 %.642, ptr %.635, ptr undef
+  store ptr %.643, ptr %excinfo, align 8
   br label %common.ret
 
 B966.endif.endif.endif:
-  %.639 = load i64, ptr %.625, align 8
-  %.651 = load i64, ptr %.650, align 8
-  %.652 = add nsw i64 %.651, 1
-  store i64 %.652, ptr %.650, align 8
-  %.659 = icmp eq i64 %.639, 0
-  br i1 %.659, label %B1176, label %B1558
+  %.644 = load i64, ptr %.630, align 8
+  %.656 = load i64, ptr %.655, align 8
+  %.657 = add nsw i64 %.656, 1
+  store i64 %.657, ptr %.655, align 8
+  %.664 = icmp eq i64 %.644, 0
+  br i1 %.664, label %B1176, label %B1558
 
 B1176.if:
-  %.699 = icmp sgt i32 %.691, 0
-  %.692 = load ptr, ptr %excinfo.5, align 8
-  %.700 = select i1 %.699, ptr %.692, ptr undef
-  store ptr %.700, ptr %excinfo, align 8
+  %.704 = icmp sgt i32 %.696, 0
+  %.697 = load ptr, ptr %excinfo.5, align 8
+  %.705 = select i1 %.704, ptr %.697, ptr undef
+  store ptr %.705, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif:
-  %.713 = load i64, ptr %.712, align 8
-  %.714 = add nsw i64 %.713, 8
-  store i64 %.714, ptr %.712, align 8
-  store ptr null, ptr %.727, align 8
-  %.731 = call i32 @copy.27(ptr nonnull %.727, ptr nonnull %excinfo.6, i64 %.92, ptr %.105, ptr %.112)
-  switch i32 %.731, label %B1176.endif.if [
+  %.718 = load i64, ptr %.717, align 8
+  %.719 = add nsw i64 %.718, 8
+  store i64 %.719, ptr %.717, align 8
+  store ptr null, ptr %.732, align 8
+  %.736 = call i32 @copy.27(ptr nonnull %.732, ptr nonnull %excinfo.6, i64 %.95, ptr %.108, ptr %.115)
+  switch i32 %.736, label %B1176.endif.if [
     i32 -2, label %B1176.endif.endif
     i32 0, label %B1176.endif.endif
   ]
 
 B1176.endif.if:
-  %.739 = icmp sgt i32 %.731, 0
-  %.732 = load ptr, ptr %excinfo.6, align 8
-  %.740 = select i1 %.739, ptr %.732, ptr undef
-  store ptr %.740, ptr %excinfo, align 8
+  %.744 = icmp sgt i32 %.736, 0
+  %.737 = load ptr, ptr %excinfo.6, align 8
+  %.745 = select i1 %.744, ptr %.737, ptr undef
+  store ptr %.745, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif:
-  store ptr null, ptr %.754, align 8
-  %.758 = call i32 @add_scaled.29(ptr nonnull %.754, ptr nonnull %excinfo.7, i64 %.92, double 1.000000e+00, ptr %.722, ptr %.112)
-  switch i32 %.758, label %B1176.endif.endif.if [
+  store ptr null, ptr %.759, align 8
+  %.763 = call i32 @add_scaled.29(ptr nonnull %.759, ptr nonnull %excinfo.7, i64 %.95, double 1.000000e+00, ptr %.727, ptr %.115)
+  switch i32 %.763, label %B1176.endif.endif.if [
     i32 -2, label %B1176.endif.endif.endif
     i32 0, label %B1176.endif.endif.endif
   ]
 
 B1176.endif.endif.if:
-  %.766 = icmp sgt i32 %.758, 0
-  %.759 = load ptr, ptr %excinfo.7, align 8
-  %.767 = select i1 %.766, ptr %.759, ptr undef
-  store ptr %.767, ptr %excinfo, align 8
+  %.771 = icmp sgt i32 %.763, 0
+  %.764 = load ptr, ptr %excinfo.7, align 8
+  %.772 = select i1 %.771, ptr %.764, ptr undef
+  store ptr %.772, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif.endif:
-  %.780 = load double, ptr %.779, align 8
-  %.785 = fdiv contract double %h.3.1, %.780
-  store double 0.000000e+00, ptr %.788, align 8
-  %.794 = call i32 @numba.21(ptr nonnull %.788, ptr nonnull %excinfo.8, double 1.000000e+00, double %.785)
-  switch i32 %.794, label %B1176.endif.endif.endif.endif.if [
+  %.785 = load double, ptr %.784, align 8
+  %.790 = fdiv contract double %h.3.1, %.785
+  store double 0.000000e+00, ptr %.793, align 8
+  %.799 = call i32 @numba.21(ptr nonnull %.793, ptr nonnull %excinfo.8, double 1.000000e+00, double %.790)
+  switch i32 %.799, label %B1176.endif.endif.endif.endif.if [
     i32 -2, label %B1176.endif.endif.endif.endif.endif
     i32 0, label %B1176.endif.endif.endif.endif.endif
   ]
 
 B1176.endif.endif.endif.endif.if:
-  %.802 = icmp sgt i32 %.794, 0
-  %.795 = load ptr, ptr %excinfo.8, align 8
-  %.803 = select i1 %.802, ptr %.795, ptr undef
-  store ptr %.803, ptr %excinfo, align 8
+  %.807 = icmp sgt i32 %.799, 0
+  %.800 = load ptr, ptr %excinfo.8, align 8
+  %.808 = select i1 %.807, ptr %.800, ptr undef
+  store ptr %.808, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif.endif.endif.endif:
-  %.804 = load double, ptr %.788, align 8
-  %.817 = load double, ptr %arg.settings, align 8
-  store double 0.000000e+00, ptr %.823, align 8
-  %.827 = call i32 @step_error.30(ptr nonnull %.823, ptr nonnull %excinfo.9, i64 %.92, i64 %arg.tested, ptr %arg.y, ptr %.112, ptr %.722, ptr %arg.powers, double %.804, double %.817)
-  switch i32 %.827, label %B1176.endif.endif.endif.endif.endif.if [
+  %.809 = load double, ptr %.793, align 8
+  %.822 = load double, ptr %arg.settings, align 8
+  store double 0.000000e+00, ptr %.828, align 8
+  %.832 = call i32 @step_error.30(ptr nonnull %.828, ptr nonnull %excinfo.9, i64 %.95, i64 %arg.tested, ptr %arg.y, ptr %.115, ptr %.727, ptr %arg.powers, double %.809, double %.822)
+  switch i32 %.832, label %B1176.endif.endif.endif.endif.endif.if [
     i32 -2, label %B1176.endif.endif.endif.endif.endif.endif
     i32 0, label %B1176.endif.endif.endif.endif.endif.endif
   ]
 
 B1176.endif.endif.endif.endif.endif.if:
-  %.835 = icmp sgt i32 %.827, 0
-  %.828 = load ptr, ptr %excinfo.9, align 8
-  %.836 = select i1 %.835, ptr %.828, ptr undef
-  store ptr %.836, ptr %excinfo, align 8
+  %.840 = icmp sgt i32 %.832, 0
+  %.833 = load ptr, ptr %excinfo.9, align 8
+  %.841 = select i1 %.840, ptr %.833, ptr undef
+  store ptr %.841, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif.endif.endif.endif.endif:
-  %.837 = load double, ptr %.823, align 8
+  %.842 = load double, ptr %.828, align 8
   br label %B1558
 
 B1570.if:
-  %.884 = icmp sgt i32 %.876, 0
-  %.877 = load ptr, ptr %excinfo.10, align 8
-  %.885 = select i1 %.884, ptr %.877, ptr undef
-  store ptr %.885, ptr %excinfo, align 8
+  %.889 = icmp sgt i32 %.881, 0
+  %.882 = load ptr, ptr %excinfo.10, align 8
+  %.890 = select i1 %.889, ptr %.882, ptr undef
+  store ptr %.890, ptr %excinfo, align 8
   br label %common.ret
 
 B1570.endif:
-  %.886 = load double, ptr %.872, align 8
-  %.899 = fmul contract double %h.3.1, %.886
-  store double %.899, ptr %.424, align 8
-  %.910 = load double, ptr %.909, align 8
-  %.911 = fcmp contract olt double %.899, %.910
-  br i1 %.911, label %B1748, label %B2755
+  %.891 = load double, ptr %.877, align 8
+  %.904 = fmul contract double %h.3.1, %.891
+  store double %.904, ptr %.429, align 8
+  %.915 = load double, ptr %.914, align 8
+  %.916 = fcmp contract olt double %.904, %.915
+  br i1 %.916, label %B1748, label %B2861
 
 B1942.if:
-  %.1157 = icmp sgt i32 %.1149, 0
-  %.1150 = load ptr, ptr %excinfo.11, align 8
-  %.1158 = select i1 %.1157, ptr %.1150, ptr undef
-  store ptr %.1158, ptr %excinfo, align 8
+  %.1164 = icmp sgt i32 %.1156, 0
+  %.1157 = load ptr, ptr %excinfo.11, align 8
+  %.1165 = select i1 %.1164, ptr %.1157, ptr undef
+  store ptr %.1165, ptr %excinfo, align 8
   br label %common.ret
 
 B1942.endif:
@@ -2691,98 +2710,103 @@ B1942.endif:
   br label %B2156
 
 B2156.if:
-  %.1203 = icmp sgt i32 %.1195, 0
-  %.1196 = load ptr, ptr %excinfo.12, align 8
-  %.1204 = select i1 %.1203, ptr %.1196, ptr undef
-  store ptr %.1204, ptr %excinfo, align 8
+  %.1210 = icmp sgt i32 %.1202, 0
+  %.1203 = load ptr, ptr %excinfo.12, align 8
+  %.1211 = select i1 %.1210, ptr %.1203, ptr undef
+  store ptr %.1211, ptr %excinfo, align 8
   br label %common.ret
 
 B2156.endif:
-  br i1 %.1219, label %B2248, label %B2436
+  br i1 %.1226, label %B2248, label %B2542
 
 B2248.if:
-  %.1254 = icmp sgt i32 %.1246, 0
-  %.1247 = load ptr, ptr %excinfo.13, align 8
-  %.1255 = select i1 %.1254, ptr %.1247, ptr undef
-  store ptr %.1255, ptr %excinfo, align 8
+  %.1269 = icmp sgt i32 %.1261, 0
+  %.1262 = load ptr, ptr %excinfo.13, align 8
+  %.1270 = select i1 %.1269, ptr %.1262, ptr undef
+  store ptr %.1270, ptr %excinfo, align 8
   br label %common.ret
 
 B2248.endif:
-  %.1267 = add nsw i64 %recorded.2.0272, 1
-  store i64 %.1267, ptr %.1273, align 8
-  br label %B2436
+  br i1 %.1284, label %B2418, label %B2512
 
-B2436.if:
-  %.1296 = icmp sgt i32 %.1288, 0
-  %.1289 = load ptr, ptr %excinfo.14, align 8
-  %.1297 = select i1 %.1296, ptr %.1289, ptr undef
-  store ptr %.1297, ptr %excinfo, align 8
+B2418.if:
+  %.1308 = icmp sgt i32 %.1300, 0
+  %.1301 = load ptr, ptr %excinfo.14, align 8
+  %.1309 = select i1 %.1308, ptr %.1301, ptr undef
+  store ptr %.1309, ptr %excinfo, align 8
   br label %common.ret
 
-B2436.endif:
+B2542.if:
+  %.1353 = icmp sgt i32 %.1345, 0
+  %.1346 = load ptr, ptr %excinfo.15, align 8
+  %.1354 = select i1 %.1353, ptr %.1346, ptr undef
+  store ptr %.1354, ptr %excinfo, align 8
+  br label %common.ret
+
+B2542.endif:
   store double %until.2.1, ptr %arg.state, align 8
-  br i1 %.441, label %B2494, label %B2622
+  br i1 %.446, label %B2600, label %B2728
 
-B2494.if:
-  %.1424 = icmp sgt i32 %.1416, 0
-  %.1417 = load ptr, ptr %excinfo.15, align 8
-  %.1425 = select i1 %.1424, ptr %.1417, ptr undef
-  store ptr %.1425, ptr %excinfo, align 8
+B2600.if:
+  %.1483 = icmp sgt i32 %.1475, 0
+  %.1476 = load ptr, ptr %excinfo.16, align 8
+  %.1484 = select i1 %.1483, ptr %.1476, ptr undef
+  store ptr %.1484, ptr %excinfo, align 8
   br label %common.ret
 
-B2494.endif:
-  %.1441 = getelementptr i8, ptr %arg.settings, i64 32
-  %.1442 = load double, ptr %.1441, align 8
-  %.1448 = fdiv contract double 1.000000e+00, %.1442
-  store double 0.000000e+00, ptr %.1452, align 8
-  %.1458 = call i32 @numba.21(ptr nonnull %.1452, ptr nonnull %excinfo.16, double %.1205, double %.1448)
-  switch i32 %.1458, label %B2494.endif.endif.if [
-    i32 -2, label %B2494.endif.endif.endif
-    i32 0, label %B2494.endif.endif.endif
+B2600.endif:
+  %.1500 = getelementptr i8, ptr %arg.settings, i64 32
+  %.1501 = load double, ptr %.1500, align 8
+  %.1507 = fdiv contract double 1.000000e+00, %.1501
+  store double 0.000000e+00, ptr %.1511, align 8
+  %.1517 = call i32 @numba.21(ptr nonnull %.1511, ptr nonnull %excinfo.17, double %.1212, double %.1507)
+  switch i32 %.1517, label %B2600.endif.endif.if [
+    i32 -2, label %B2600.endif.endif.endif
+    i32 0, label %B2600.endif.endif.endif
   ]
 
-B2494.endif.endif.if:
-  %.1466 = icmp sgt i32 %.1458, 0
-  %.1459 = load ptr, ptr %excinfo.16, align 8
-  %.1467 = select i1 %.1466, ptr %.1459, ptr undef
-  store ptr %.1467, ptr %excinfo, align 8
+B2600.endif.endif.if:
+  %.1525 = icmp sgt i32 %.1517, 0
+  %.1518 = load ptr, ptr %excinfo.17, align 8
+  %.1526 = select i1 %.1525, ptr %.1518, ptr undef
+  store ptr %.1526, ptr %excinfo, align 8
   br label %common.ret
 
-B2494.endif.endif.endif:
-  %.1468 = load double, ptr %.1452, align 8
-  %.1480 = fmul contract double %.1426, %.1468
-  store double %.1480, ptr %.424, align 8
+B2600.endif.endif.endif:
+  %.1527 = load double, ptr %.1511, align 8
+  %.1539 = fmul contract double %.1485, %.1527
+  store double %.1539, ptr %.429, align 8
   store i64 0, ptr %retptr, align 8
   br label %common.ret
 
-B2622.if:
-  %.1521 = icmp sgt i32 %.1513, 0
-  %.1514 = load ptr, ptr %excinfo.17, align 8
-  %.1522 = select i1 %.1521, ptr %.1514, ptr undef
-  store ptr %.1522, ptr %excinfo, align 8
+B2728.if:
+  %.1580 = icmp sgt i32 %.1572, 0
+  %.1573 = load ptr, ptr %excinfo.18, align 8
+  %.1581 = select i1 %.1580, ptr %.1573, ptr undef
+  store ptr %.1581, ptr %excinfo, align 8
   br label %common.ret
 
-B2622.endif:
-  %.1523 = load double, ptr %.1507, align 8
-  store double %.1523, ptr %.424, align 8
-  store double 0.000000e+00, ptr %.1539, align 8
-  %.1545 = call i32 @numba.28(ptr nonnull %.1539, ptr nonnull %excinfo.18, double %error.2.1, double 1.000000e-04)
-  switch i32 %.1545, label %B2622.endif.if [
-    i32 -2, label %B2622.endif.endif
-    i32 0, label %B2622.endif.endif
+B2728.endif:
+  %.1582 = load double, ptr %.1566, align 8
+  store double %.1582, ptr %.429, align 8
+  store double 0.000000e+00, ptr %.1598, align 8
+  %.1604 = call i32 @numba.28(ptr nonnull %.1598, ptr nonnull %excinfo.19, double %error.2.1, double 1.000000e-04)
+  switch i32 %.1604, label %B2728.endif.if [
+    i32 -2, label %B2728.endif.endif
+    i32 0, label %B2728.endif.endif
   ]
 
-B2622.endif.if:
-  %.1553 = icmp sgt i32 %.1545, 0
-  %.1546 = load ptr, ptr %excinfo.18, align 8
-  %.1554 = select i1 %.1553, ptr %.1546, ptr undef
-  store ptr %.1554, ptr %excinfo, align 8
+B2728.endif.if:
+  %.1612 = icmp sgt i32 %.1604, 0
+  %.1605 = load ptr, ptr %excinfo.19, align 8
+  %.1613 = select i1 %.1612, ptr %.1605, ptr undef
+  store ptr %.1613, ptr %excinfo, align 8
   br label %common.ret
 
-B2622.endif.endif:
-  %.1555 = load double, ptr %.1539, align 8
-  store double %.1555, ptr %.1184, align 8
-  br label %B2755
+B2728.endif.endif:
+  %.1614 = load double, ptr %.1598, align 8
+  store double %.1614, ptr %.1191, align 8
+  br label %B2861
 }
 
 define internal i32 @linearise.22(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, double %arg.time, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
@@ -2922,241 +2946,177 @@ B362.if:
 
 define internal i32 @solve_stages.24(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
-  %.226 = alloca ptr, align 8
-  store ptr null, ptr %.226, align 8
+  %.219 = alloca ptr, align 8
+  store ptr null, ptr %.219, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.381 = alloca ptr, align 8
-  store ptr null, ptr %.381, align 8
+  %.251 = alloca ptr, align 8
+  store ptr null, ptr %.251, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.456 = alloca ptr, align 8
-  store ptr null, ptr %.456, align 8
+  %.301 = alloca ptr, align 8
+  store ptr null, ptr %.301, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.335 = alloca ptr, align 8
+  store ptr null, ptr %.335, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.485 = alloca ptr, align 8
-  store ptr null, ptr %.485, align 8
+  %.372 = alloca ptr, align 8
+  store ptr null, ptr %.372, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.537 = alloca ptr, align 8
-  store ptr null, ptr %.537, align 8
+  %.414 = alloca ptr, align 8
+  store ptr null, ptr %.414, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.571 = alloca ptr, align 8
-  store ptr null, ptr %.571, align 8
+  %.460 = alloca ptr, align 8
+  store ptr null, ptr %.460, align 8
   %excinfo.7 = alloca ptr, align 8
   store ptr null, ptr %excinfo.7, align 8
-  %.608 = alloca ptr, align 8
-  store ptr null, ptr %.608, align 8
-  %excinfo.8 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.8, align 8
-  %.650 = alloca ptr, align 8
-  store ptr null, ptr %.650, align 8
-  %excinfo.9 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.9, align 8
-  %.696 = alloca ptr, align 8
-  store ptr null, ptr %.696, align 8
-  %excinfo.10 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.10, align 8
   %.84 = load i64, ptr %arg.layout, align 8
-  %.521 = getelementptr i8, ptr %arg.layout, i64 8
+  %.285 = getelementptr i8, ptr %arg.layout, i64 8
   %0 = getelementptr double, ptr %arg.Y, i64 %.84
   br label %B72.if
 
-B136:
-  store ptr null, ptr %.226, align 8
-  %.230 = call i32 @copy.27(ptr nonnull %.226, ptr nonnull %excinfo.1, i64 %.84, ptr %arg.y, ptr %arg.place_)
-  switch i32 %.230, label %B136.if [
-    i32 -2, label %B136.endif
-    i32 0, label %B136.endif
+B498:
+  store ptr null, ptr %.414, align 8
+  %.418 = call i32 @add_scaled.29(ptr nonnull %.414, ptr nonnull %excinfo.6, i64 %.84, double %.402, ptr %arg.drift, ptr %arg.right)
+  switch i32 %.418, label %B498.if [
+    i32 -2, label %B534
+    i32 0, label %B534
   ]
 
-B302:
-  %.449 = add nsw i64 %.111.0122, -1
-  %.451 = mul nsw i64 %.449, %.84
-  %.453 = getelementptr double, ptr %arg.stages, i64 %.451
-  store ptr null, ptr %.456, align 8
-  %.460 = call i32 @add_scaled.29(ptr nonnull %.456, ptr nonnull %excinfo.4, i64 %.84, double 1.000000e+00, ptr %.453, ptr %arg.place_)
-  switch i32 %.460, label %B388.if [
-    i32 -2, label %B464
-    i32 0, label %B464
-  ]
-
-B464:
-  store ptr null, ptr %.485, align 8
-  %.489 = call i32 @copy.27(ptr nonnull %.485, ptr nonnull %excinfo.5, i64 %.84, ptr %arg.place_, ptr %arg.Y)
-  switch i32 %.489, label %B464.if [
-    i32 -2, label %B464.endif
-    i32 0, label %B464.endif
-  ]
-
-B810:
-  store ptr null, ptr %.650, align 8
-  %.654 = call i32 @add_scaled.29(ptr nonnull %.650, ptr nonnull %excinfo.9, i64 %.84, double %.638, ptr %arg.drift, ptr %arg.right)
-  switch i32 %.654, label %B810.if [
-    i32 -2, label %B846
-    i32 0, label %B846
-  ]
-
-B846:
-  %.681 = mul nsw i64 %.111.0122, %.84
-  %.685 = getelementptr double, ptr %arg.stages, i64 %.681
-  store ptr null, ptr %.696, align 8
-  %.700 = call i32 @lu_solve.19(ptr nonnull %.696, ptr nonnull %excinfo.10, i64 %.84, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.right, ptr %.685, ptr %arg.x)
-  switch i32 %.700, label %B846.if [
-    i32 -2, label %B846.endif
-    i32 0, label %B846.endif
+B534:
+  %.445 = mul nsw i64 %.111.080, %.84
+  %.449 = getelementptr double, ptr %arg.stages, i64 %.445
+  store ptr null, ptr %.460, align 8
+  %.464 = call i32 @lu_solve.19(ptr nonnull %.460, ptr nonnull %excinfo.7, i64 %.84, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.right, ptr %.449, ptr %arg.x)
+  switch i32 %.464, label %B534.if [
+    i32 -2, label %B534.endif
+    i32 0, label %B534.endif
   ]
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B936 ], [ %.700, %B846.if ], [ %.654, %B810.if ], [ %.612, %B464.endif.endif.endif.if ], [ %.230, %B136.if ], [ %.385, %B202.if ], [ %.460, %B388.if ], [ %.489, %B464.if ], [ %.541, %B464.endif.if ], [ %.575, %B464.endif.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B624 ], [ %.464, %B534.if ], [ %.418, %B498.if ], [ %.223, %B74.if ], [ %.255, %B74.endif.if ], [ %.305, %B74.endif.endif.if ], [ %.339, %B74.endif.endif.endif.if ], [ %.376, %B74.endif.endif.endif.endif.if ]
   ret i32 %common.ret.op
 
-B936:
+B624:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
 B72.if:
-  %.111.0122 = phi i64 [ 0, %entry ], [ %.183, %B846.endif ]
-  %.183 = add nuw nsw i64 %.111.0122, 1
-  %.220 = icmp samesign ult i64 %.111.0122, 6
-  br i1 %.220, label %B136, label %B302
-
-B136.if:
-  %.238 = icmp sgt i32 %.230, 0
-  %.231 = load ptr, ptr %excinfo.1, align 8
-  %.239 = select i1 %.238, ptr %.231, ptr undef
-  store ptr %.239, ptr %excinfo, align 8
-  br label %common.ret
-
-B136.endif:
-  %.330119.not = icmp eq i64 %.111.0122, 0
-  br i1 %.330119.not, label %B464, label %B200.if.lr.ph
-
-B200.if.lr.ph:
-  %.idx103 = shl nuw nsw i64 %.111.0122, 6
-  %1 = getelementptr i8, ptr %arg.method, i64 %.idx103
-  br label %B200.if
-
-B200.if:
-  %.274.0120 = phi i64 [ 0, %B200.if.lr.ph ], [ %.343, %B202.endif ]
-  %.373 = getelementptr double, ptr %1, i64 %.274.0120
-  %.374 = load double, ptr %.373, align 8
-  %.376 = mul nsw i64 %.274.0120, %.84
-  %.378 = getelementptr double, ptr %arg.stages, i64 %.376
-  store ptr null, ptr %.381, align 8
-  %.385 = call i32 @add_scaled.29(ptr nonnull %.381, ptr nonnull %excinfo.2, i64 %.84, double %.374, ptr %.378, ptr %arg.place_)
-  switch i32 %.385, label %B202.if [
-    i32 -2, label %B202.endif
-    i32 0, label %B202.endif
+  %.111.080 = phi i64 [ 0, %entry ], [ %.183, %B534.endif ]
+  %.183 = add nuw nsw i64 %.111.080, 1
+  store ptr null, ptr %.219, align 8
+  %.223 = call i32 @set_place.31(ptr nonnull %.219, ptr nonnull %excinfo.1, i64 %.84, i64 %.111.080, ptr %arg.method, ptr %arg.y, ptr %arg.stages, ptr %arg.place_, i64 %arg.stride)
+  switch i32 %.223, label %B74.if [
+    i32 -2, label %B74.endif
+    i32 0, label %B74.endif
   ]
 
-B202.if:
-  %.393 = icmp sgt i32 %.385, 0
-  %.386 = load ptr, ptr %excinfo.2, align 8
-  %.394 = select i1 %.393, ptr %.386, ptr undef
-  store ptr %.394, ptr %excinfo, align 8
+B74.if:
+  %.231 = icmp sgt i32 %.223, 0
+  %.224 = load ptr, ptr %excinfo.1, align 8
+  %.232 = select i1 %.231, ptr %.224, ptr undef
+  store ptr %.232, ptr %excinfo, align 8
   br label %common.ret
 
-B202.endif:
-  %.343 = add nuw nsw i64 %.274.0120, 1
-  %exitcond.not = icmp eq i64 %.343, %.111.0122
-  br i1 %exitcond.not, label %B464, label %B200.if
-
-B388.if:
-  %.468 = icmp sgt i32 %.460, 0
-  %.461 = load ptr, ptr %excinfo.4, align 8
-  %.469 = select i1 %.468, ptr %.461, ptr undef
-  store ptr %.469, ptr %excinfo, align 8
-  br label %common.ret
-
-B464.if:
-  %.497 = icmp sgt i32 %.489, 0
-  %.490 = load ptr, ptr %excinfo.5, align 8
-  %.498 = select i1 %.497, ptr %.490, ptr undef
-  store ptr %.498, ptr %excinfo, align 8
-  br label %common.ret
-
-B464.endif:
-  %2 = getelementptr double, ptr %arg.method, i64 %.111.0122
-  %.514 = getelementptr i8, ptr %2, i64 1024
-  %.515 = load double, ptr %.514, align 8
-  %.517 = fmul contract double %arg.h, %.515
-  %.519 = fadd contract double %arg.time, %.517
-  %.522 = load i64, ptr %.521, align 8
-  %.526 = getelementptr double, ptr %0, i64 %.522
-  store double %.519, ptr %.526, align 8
-  store ptr null, ptr %.537, align 8
-  %.541 = call i32 @drive.6(ptr nonnull %.537, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
-  switch i32 %.541, label %B464.endif.if [
-    i32 -2, label %B464.endif.endif
-    i32 0, label %B464.endif.endif
+B74.endif:
+  store ptr null, ptr %.251, align 8
+  %.255 = call i32 @copy.27(ptr nonnull %.251, ptr nonnull %excinfo.2, i64 %.84, ptr %arg.place_, ptr %arg.Y)
+  switch i32 %.255, label %B74.endif.if [
+    i32 -2, label %B74.endif.endif
+    i32 0, label %B74.endif.endif
   ]
 
-B464.endif.if:
-  %.549 = icmp sgt i32 %.541, 0
-  %.542 = load ptr, ptr %excinfo.6, align 8
-  %.550 = select i1 %.549, ptr %.542, ptr undef
-  store ptr %.550, ptr %excinfo, align 8
+B74.endif.if:
+  %.263 = icmp sgt i32 %.255, 0
+  %.256 = load ptr, ptr %excinfo.2, align 8
+  %.264 = select i1 %.263, ptr %.256, ptr undef
+  store ptr %.264, ptr %excinfo, align 8
   br label %common.ret
 
-B464.endif.endif:
-  store ptr null, ptr %.571, align 8
-  %.575 = call i32 @residual.0(ptr nonnull %.571, ptr nonnull %excinfo.7, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.right, ptr %arg.local, ptr %arg.out)
-  switch i32 %.575, label %B464.endif.endif.if [
-    i32 -2, label %B464.endif.endif.endif
-    i32 0, label %B464.endif.endif.endif
+B74.endif.endif:
+  %1 = getelementptr double, ptr %arg.method, i64 %.111.080
+  %.278 = getelementptr i8, ptr %1, i64 1024
+  %.279 = load double, ptr %.278, align 8
+  %.281 = fmul contract double %arg.h, %.279
+  %.283 = fadd contract double %arg.time, %.281
+  %.286 = load i64, ptr %.285, align 8
+  %.290 = getelementptr double, ptr %0, i64 %.286
+  store double %.283, ptr %.290, align 8
+  store ptr null, ptr %.301, align 8
+  %.305 = call i32 @drive.6(ptr nonnull %.301, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.305, label %B74.endif.endif.if [
+    i32 -2, label %B74.endif.endif.endif
+    i32 0, label %B74.endif.endif.endif
   ]
 
-B464.endif.endif.if:
-  %.583 = icmp sgt i32 %.575, 0
-  %.576 = load ptr, ptr %excinfo.7, align 8
-  %.584 = select i1 %.583, ptr %.576, ptr undef
-  store ptr %.584, ptr %excinfo, align 8
+B74.endif.endif.if:
+  %.313 = icmp sgt i32 %.305, 0
+  %.306 = load ptr, ptr %excinfo.3, align 8
+  %.314 = select i1 %.313, ptr %.306, ptr undef
+  store ptr %.314, ptr %excinfo, align 8
   br label %common.ret
 
-B464.endif.endif.endif:
-  %.idx = shl i64 %.111.0122, 6
-  %3 = getelementptr i8, ptr %arg.method, i64 %.idx
-  %.600 = getelementptr i8, ptr %3, i64 512
-  store ptr null, ptr %.608, align 8
-  %.612 = call i32 @combine.31(ptr nonnull %.608, ptr nonnull %excinfo.8, i64 %.84, i64 %.111.0122, ptr %.600, double %arg.h, ptr %arg.mass, ptr %arg.stages, ptr %arg.right, ptr %arg.after)
-  switch i32 %.612, label %B464.endif.endif.endif.if [
-    i32 -2, label %B464.endif.endif.endif.endif
-    i32 0, label %B464.endif.endif.endif.endif
+B74.endif.endif.endif:
+  store ptr null, ptr %.335, align 8
+  %.339 = call i32 @residual.0(ptr nonnull %.335, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.right, ptr %arg.local, ptr %arg.out)
+  switch i32 %.339, label %B74.endif.endif.endif.if [
+    i32 -2, label %B74.endif.endif.endif.endif
+    i32 0, label %B74.endif.endif.endif.endif
   ]
 
-B464.endif.endif.endif.if:
-  %.620 = icmp sgt i32 %.612, 0
-  %.613 = load ptr, ptr %excinfo.8, align 8
-  %.621 = select i1 %.620, ptr %.613, ptr undef
-  store ptr %.621, ptr %excinfo, align 8
+B74.endif.endif.endif.if:
+  %.347 = icmp sgt i32 %.339, 0
+  %.340 = load ptr, ptr %excinfo.4, align 8
+  %.348 = select i1 %.347, ptr %.340, ptr undef
+  store ptr %.348, ptr %excinfo, align 8
   br label %common.ret
 
-B464.endif.endif.endif.endif:
-  %.635 = getelementptr i8, ptr %2, i64 1088
-  %.636 = load double, ptr %.635, align 8
-  %.638 = fmul contract double %arg.h, %.636
-  %.643 = fcmp contract une double %.638, 0.000000e+00
-  br i1 %.643, label %B810, label %B846
+B74.endif.endif.endif.endif:
+  %.idx = shl i64 %.111.080, 6
+  %2 = getelementptr i8, ptr %arg.method, i64 %.idx
+  %.364 = getelementptr i8, ptr %2, i64 512
+  store ptr null, ptr %.372, align 8
+  %.376 = call i32 @combine.32(ptr nonnull %.372, ptr nonnull %excinfo.5, i64 %.84, i64 %.111.080, ptr %.364, double %arg.h, ptr %arg.mass, ptr %arg.stages, ptr %arg.right, ptr %arg.after)
+  switch i32 %.376, label %B74.endif.endif.endif.endif.if [
+    i32 -2, label %B74.endif.endif.endif.endif.endif
+    i32 0, label %B74.endif.endif.endif.endif.endif
+  ]
 
-B810.if:
-  %.662 = icmp sgt i32 %.654, 0
-  %.655 = load ptr, ptr %excinfo.9, align 8
-  %.663 = select i1 %.662, ptr %.655, ptr undef
-  store ptr %.663, ptr %excinfo, align 8
+B74.endif.endif.endif.endif.if:
+  %.384 = icmp sgt i32 %.376, 0
+  %.377 = load ptr, ptr %excinfo.5, align 8
+  %.385 = select i1 %.384, ptr %.377, ptr undef
+  store ptr %.385, ptr %excinfo, align 8
   br label %common.ret
 
-B846.if:
-  %.708 = icmp sgt i32 %.700, 0
-  %.701 = load ptr, ptr %excinfo.10, align 8
-  %.709 = select i1 %.708, ptr %.701, ptr undef
-  store ptr %.709, ptr %excinfo, align 8
+B74.endif.endif.endif.endif.endif:
+  %.399 = getelementptr i8, ptr %1, i64 1088
+  %.400 = load double, ptr %.399, align 8
+  %.402 = fmul contract double %arg.h, %.400
+  %.407 = fcmp contract une double %.402, 0.000000e+00
+  br i1 %.407, label %B498, label %B534
+
+B498.if:
+  %.426 = icmp sgt i32 %.418, 0
+  %.419 = load ptr, ptr %excinfo.6, align 8
+  %.427 = select i1 %.426, ptr %.419, ptr undef
+  store ptr %.427, ptr %excinfo, align 8
   br label %common.ret
 
-B846.endif:
-  %exitcond145.not = icmp eq i64 %.183, 8
-  br i1 %exitcond145.not, label %B936, label %B72.if
+B534.if:
+  %.472 = icmp sgt i32 %.464, 0
+  %.465 = load ptr, ptr %excinfo.7, align 8
+  %.473 = select i1 %.472, ptr %.465, ptr undef
+  store ptr %.473, ptr %excinfo, align 8
+  br label %common.ret
+
+B534.endif:
+  %exitcond.not = icmp eq i64 %.183, 8
+  br i1 %exitcond.not, label %B624, label %B72.if
 }
 
 define internal i32 @step_factor.25(ptr noalias %retptr, ptr noalias %excinfo, double %arg.error, double %arg.before, double %arg.order, ptr noalias %arg.settings) noinline {
@@ -3751,7 +3711,104 @@ declare double @llvm.fabs.f64(double)
 
 declare double @llvm.pow.f64(double, double)
 
-define internal i32 @combine.31(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.count, ptr noalias %arg.weights, double %arg.h, ptr noalias %arg.mass, ptr noalias %arg.stages, ptr noalias %arg.right, ptr noalias %arg.pull) noinline {
+define internal i32 @set_place.31(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.i, ptr noalias %arg.method, ptr noalias %arg.y, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride) noinline {
+entry:
+  %.44 = alloca ptr, align 8
+  store ptr null, ptr %.44, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.203 = alloca ptr, align 8
+  store ptr null, ptr %.203, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.305 = alloca ptr, align 8
+  store ptr null, ptr %.305, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.34 = icmp slt i64 %arg.i, 6
+  br i1 %.34, label %B64, label %B232
+
+B64:
+  store ptr null, ptr %.44, align 8
+  %.48 = call i32 @copy.27(ptr nonnull %.44, ptr nonnull %excinfo.1, i64 %arg.n, ptr %arg.y, ptr %arg.place_)
+  switch i32 %.48, label %B64.if [
+    i32 -2, label %B64.endif
+    i32 0, label %B64.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B228 ], [ %.207, %B130.if ], [ %.309, %B318.if ], [ %.48, %B64.if ], [ 0, %B318.endif ]
+  ret i32 %common.ret.op
+
+B228:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B232:
+  %.294 = add nsw i64 %arg.i, -1
+  %.298 = mul nsw i64 %.294, %arg.n
+  %.300 = getelementptr double, ptr %arg.stages, i64 %.298
+  store ptr null, ptr %.305, align 8
+  %.309 = call i32 @add_scaled.29(ptr nonnull %.305, ptr nonnull %excinfo.4, i64 %arg.n, double 1.000000e+00, ptr %.300, ptr %arg.place_)
+  switch i32 %.309, label %B318.if [
+    i32 -2, label %B318.endif
+    i32 0, label %B318.endif
+  ]
+
+B64.if:
+  %.56 = icmp sgt i32 %.48, 0
+  %.49 = load ptr, ptr %excinfo.1, align 8
+  %.57 = select i1 %.56, ptr %.49, ptr undef
+  store ptr %.57, ptr %excinfo, align 8
+  br label %common.ret
+
+B64.endif:
+  %.15252.not = icmp slt i64 %arg.i, 1
+  br i1 %.15252.not, label %B228, label %B128.if.lr.ph
+
+B128.if.lr.ph:
+  %.idx = shl nuw nsw i64 %arg.i, 6
+  %0 = getelementptr i8, ptr %arg.method, i64 %.idx
+  br label %B128.if
+
+B128.if:
+  %.96.053 = phi i64 [ 0, %B128.if.lr.ph ], [ %.165, %B130.endif ]
+  %.195 = getelementptr double, ptr %0, i64 %.96.053
+  %.196 = load double, ptr %.195, align 8
+  %.198 = mul nsw i64 %.96.053, %arg.n
+  %.200 = getelementptr double, ptr %arg.stages, i64 %.198
+  store ptr null, ptr %.203, align 8
+  %.207 = call i32 @add_scaled.29(ptr nonnull %.203, ptr nonnull %excinfo.2, i64 %arg.n, double %.196, ptr %.200, ptr %arg.place_)
+  switch i32 %.207, label %B130.if [
+    i32 -2, label %B130.endif
+    i32 0, label %B130.endif
+  ]
+
+B130.if:
+  %.215 = icmp sgt i32 %.207, 0
+  %.208 = load ptr, ptr %excinfo.2, align 8
+  %.216 = select i1 %.215, ptr %.208, ptr undef
+  store ptr %.216, ptr %excinfo, align 8
+  br label %common.ret
+
+B130.endif:
+  %.165 = add nuw nsw i64 %.96.053, 1
+  %exitcond.not = icmp eq i64 %.165, %arg.i
+  br i1 %exitcond.not, label %B228, label %B128.if
+
+B318.if:
+  %.317 = icmp sgt i32 %.309, 0
+  %.310 = load ptr, ptr %excinfo.4, align 8
+  %.318 = select i1 %.317, ptr %.310, ptr undef
+  store ptr %.318, ptr %excinfo, align 8
+  br label %common.ret
+
+B318.endif:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @combine.32(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.count, ptr noalias %arg.weights, double %arg.h, ptr noalias %arg.mass, ptr noalias %arg.stages, ptr noalias %arg.right, ptr noalias %arg.pull) noinline {
 entry:
   %.307 = alloca ptr, align 8
   store ptr null, ptr %.307, align 8
@@ -3835,11 +3892,11 @@ B214.if:
 define i64 @sums_of_rows(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, i64 %a5, i64 %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @sums_of_rows.32(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, i64 %a5, i64 %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13)
+  %1 = call i32 @sums_of_rows.33(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, i64 %a5, i64 %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13)
   ret i64 0
 }
 
-define internal i32 @sums_of_rows.32(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, i64 %arg.count, i64 %arg.own, ptr noalias %arg.numbers, i64 %arg.length, ptr noalias %arg.Y, ptr noalias %arg.J, ptr noalias %arg.r, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @sums_of_rows.33(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, i64 %arg.count, i64 %arg.own, ptr noalias %arg.numbers, i64 %arg.length, ptr noalias %arg.Y, ptr noalias %arg.J, ptr noalias %arg.r, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.189 = alloca ptr, align 8
   store ptr null, ptr %.189, align 8
@@ -3935,265 +3992,265 @@ B96.endif.endif.endif:
 define i64 @march_rows(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, i64 %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, i64 %a14, ptr %a15, ptr %a16, i64 %a17, i64 %a18, ptr %a19, i64 %a20, ptr %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @march_rows.33(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, i64 %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, i64 %a14, ptr %a15, ptr %a16, i64 %a17, i64 %a18, ptr %a19, i64 %a20, ptr %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
+  %1 = call i32 @march_rows.34(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, i64 %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, i64 %a14, ptr %a15, ptr %a16, i64 %a17, i64 %a18, ptr %a19, i64 %a20, ptr %a21, ptr %a22, ptr %a23, ptr %a24, ptr %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
   ret i64 0
 }
 
-define internal i32 @march_rows.33(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.slot, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, i64 %arg.count, i64 %arg.own, ptr noalias %arg.numbers, i64 %arg.length, ptr noalias %arg.Y, ptr noalias %arg.y, ptr noalias %arg.settings, ptr noalias %arg.first_edges, ptr noalias %arg.edges, i64 %arg.max_steps, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, ptr noalias %arg.status, ptr noalias %arg.work) noinline {
+define internal i32 @march_rows.34(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.slot, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, i64 %arg.count, i64 %arg.own, ptr noalias %arg.numbers, i64 %arg.length, ptr noalias %arg.Y, ptr noalias %arg.y, ptr noalias %arg.settings, ptr noalias %arg.first_edges, ptr noalias %arg.edges, i64 %arg.max_steps, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, ptr noalias %arg.status, ptr noalias %arg.work) noinline {
 entry:
-  %.280 = alloca i64, align 8
-  store i64 0, ptr %.280, align 8
+  %.343 = alloca i64, align 8
+  store i64 0, ptr %.343, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
   %.100 = load i64, ptr %arg.layout, align 8
-  %.18543.not = icmp slt i64 %arg.count, 1
-  br i1 %.18543.not, label %B524, label %B60.if
+  %.18643.not = icmp slt i64 %arg.count, 1
+  br i1 %.18643.not, label %B584, label %B62.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B524 ], [ %.284, %B62.if ]
+  %common.ret.op = phi i32 [ 0, %B584 ], [ %.347, %B64.if ]
   ret i32 %common.ret.op
 
-B524:
+B584:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B60.if:
-  %.127.044 = phi i64 [ %.198, %B62.endif ], [ 0, %entry ]
-  %.224 = getelementptr i64, ptr %arg.first_edges, i64 %.127.044
-  %.225 = load i64, ptr %.224, align 8
-  %.228 = mul nsw i64 %.127.044, %arg.own
-  %.230 = getelementptr double, ptr %arg.numbers, i64 %.228
-  %.233.idx = shl i64 %.127.044, 6
-  %.233 = getelementptr i8, ptr %arg.settings, i64 %.233.idx
-  %.235 = getelementptr double, ptr %arg.edges, i64 %.225
-  %.238 = getelementptr i8, ptr %.224, i64 8
-  %.239 = load i64, ptr %.238, align 8
-  %.240 = sub nsw i64 %.239, %.225
-  %.242 = mul nsw i64 %.127.044, %.100
-  %.244 = getelementptr double, ptr %arg.y, i64 %.242
-  %.246 = mul nsw i64 %.127.044, %arg.length
-  %.248 = getelementptr double, ptr %arg.Y, i64 %.246
-  %.251.idx = mul i64 %.127.044, 24
-  %.251 = getelementptr i8, ptr %arg.state, i64 %.251.idx
-  %.254.idx = mul i64 %.127.044, 48
-  %.254 = getelementptr i8, ptr %arg.counts, i64 %.254.idx
-  %.256 = mul nsw i64 %.225, %.100
-  %.258 = getelementptr double, ptr %arg.outputs, i64 %.256
-  store i64 0, ptr %.280, align 8
-  %.284 = call i32 @march.34(ptr nonnull %.280, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %.230, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.slot, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, i64 %arg.tested, ptr %arg.powers, ptr %arg.method, ptr %.233, ptr %.235, i64 %.240, i64 %arg.max_steps, ptr %.244, ptr %.248, ptr %.251, ptr %.254, ptr %.258, i64 -1, ptr %arg.work, ptr %arg.work)
-  switch i32 %.284, label %B62.if [
-    i32 -2, label %B62.endif
-    i32 0, label %B62.endif
+B62.if:
+  %.127.044 = phi i64 [ %.199, %B64.endif ], [ 0, %entry ]
+  %.225 = getelementptr i64, ptr %arg.first_edges, i64 %.127.044
+  %.226 = load i64, ptr %.225, align 8
+  %.229 = mul nsw i64 %.127.044, %arg.own
+  %.231 = getelementptr double, ptr %arg.numbers, i64 %.229
+  %.234.idx = shl i64 %.127.044, 6
+  %.234 = getelementptr i8, ptr %arg.settings, i64 %.234.idx
+  %.236 = getelementptr double, ptr %arg.edges, i64 %.226
+  %.239 = getelementptr i8, ptr %.225, i64 8
+  %.240 = load i64, ptr %.239, align 8
+  %.241 = sub nsw i64 %.240, %.226
+  %.243 = mul nsw i64 %.127.044, %.100
+  %.245 = getelementptr double, ptr %arg.y, i64 %.243
+  %.247 = mul nsw i64 %.127.044, %arg.length
+  %.249 = getelementptr double, ptr %arg.Y, i64 %.247
+  %.252.idx = mul i64 %.127.044, 24
+  %.252 = getelementptr i8, ptr %arg.state, i64 %.252.idx
+  %.255.idx = mul i64 %.127.044, 48
+  %.255 = getelementptr i8, ptr %arg.counts, i64 %.255.idx
+  %.257 = mul nsw i64 %.226, %.100
+  %.259 = getelementptr double, ptr %arg.outputs, i64 %.257
+  store i64 0, ptr %.343, align 8
+  %.347 = call i32 @march.35(ptr nonnull %.343, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %.231, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.slot, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, i64 %arg.tested, ptr %arg.powers, ptr %arg.method, ptr %.234, ptr %.236, i64 %.241, i64 %arg.max_steps, ptr %.245, ptr %.249, ptr %.252, ptr %.255, ptr %.259, i64 -1, i64 0, ptr %arg.work, ptr %arg.work)
+  switch i32 %.347, label %B64.if [
+    i32 -2, label %B64.endif
+    i32 0, label %B64.endif
   ]
 
-B62.if:
-  %.292 = icmp sgt i32 %.284, 0
-  %.285 = load ptr, ptr %excinfo.1, align 8
-  %.293 = select i1 %.292, ptr %.285, ptr undef
-  store ptr %.293, ptr %excinfo, align 8
+B64.if:
+  %.355 = icmp sgt i32 %.347, 0
+  %.348 = load ptr, ptr %excinfo.1, align 8
+  %.356 = select i1 %.355, ptr %.348, ptr undef
+  store ptr %.356, ptr %excinfo, align 8
   br label %common.ret
 
-B62.endif:
-  %.198 = add nuw nsw i64 %.127.044, 1
-  %.294 = load i64, ptr %.280, align 8
-  %.305 = getelementptr i64, ptr %arg.status, i64 %.127.044
-  store i64 %.294, ptr %.305, align 8
-  %exitcond.not = icmp eq i64 %arg.count, %.198
-  br i1 %exitcond.not, label %B524, label %B60.if
+B64.endif:
+  %.199 = add nuw nsw i64 %.127.044, 1
+  %.357 = load i64, ptr %.343, align 8
+  %.368 = getelementptr i64, ptr %arg.status, i64 %.127.044
+  store i64 %.357, ptr %.368, align 8
+  %exitcond.not = icmp eq i64 %arg.count, %.199
+  br i1 %exitcond.not, label %B584, label %B62.if
 }
 
-define internal i32 @march.34(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, i64 %arg.most_recorded, ptr noalias %arg.record, ptr noalias %arg.work) noinline {
+define internal i32 @march.35(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.tested, ptr noalias %arg.powers, ptr noalias %arg.method, ptr noalias %arg.settings, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.max_steps, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.state, ptr noalias %arg.counts, ptr noalias %arg.outputs, i64 %arg.most_recorded, i64 %arg.record_length, ptr noalias %arg.record, ptr noalias %arg.work) noinline {
 entry:
-  %.485 = alloca double, align 8
-  store double 0.000000e+00, ptr %.485, align 8
+  %.490 = alloca double, align 8
+  store double 0.000000e+00, ptr %.490, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.541 = alloca ptr, align 8
-  store ptr null, ptr %.541, align 8
+  %.546 = alloca ptr, align 8
+  store ptr null, ptr %.546, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.594 = alloca ptr, align 8
-  store ptr null, ptr %.594, align 8
+  %.599 = alloca ptr, align 8
+  store ptr null, ptr %.599, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.625 = alloca i64, align 8
-  store i64 0, ptr %.625, align 8
+  %.630 = alloca i64, align 8
+  store i64 0, ptr %.630, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.687 = alloca ptr, align 8
-  store ptr null, ptr %.687, align 8
+  %.692 = alloca ptr, align 8
+  store ptr null, ptr %.692, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.727 = alloca ptr, align 8
-  store ptr null, ptr %.727, align 8
+  %.732 = alloca ptr, align 8
+  store ptr null, ptr %.732, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.754 = alloca ptr, align 8
-  store ptr null, ptr %.754, align 8
+  %.759 = alloca ptr, align 8
+  store ptr null, ptr %.759, align 8
   %excinfo.7 = alloca ptr, align 8
   store ptr null, ptr %excinfo.7, align 8
-  %.788 = alloca double, align 8
-  store double 0.000000e+00, ptr %.788, align 8
+  %.793 = alloca double, align 8
+  store double 0.000000e+00, ptr %.793, align 8
   %excinfo.8 = alloca ptr, align 8
   store ptr null, ptr %excinfo.8, align 8
-  %.823 = alloca double, align 8
-  store double 0.000000e+00, ptr %.823, align 8
+  %.828 = alloca double, align 8
+  store double 0.000000e+00, ptr %.828, align 8
   %excinfo.9 = alloca ptr, align 8
   store ptr null, ptr %excinfo.9, align 8
-  %.872 = alloca double, align 8
-  store double 0.000000e+00, ptr %.872, align 8
+  %.877 = alloca double, align 8
+  store double 0.000000e+00, ptr %.877, align 8
   %excinfo.10 = alloca ptr, align 8
   store ptr null, ptr %excinfo.10, align 8
-  %.1145 = alloca ptr, align 8
-  store ptr null, ptr %.1145, align 8
+  %.1152 = alloca ptr, align 8
+  store ptr null, ptr %.1152, align 8
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
-  %.1191 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1191, align 8
+  %.1198 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1198, align 8
   %excinfo.12 = alloca ptr, align 8
   store ptr null, ptr %excinfo.12, align 8
-  %.1284 = alloca ptr, align 8
-  store ptr null, ptr %.1284, align 8
-  %excinfo.14 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.14, align 8
-  %.1410 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1410, align 8
+  %.1341 = alloca ptr, align 8
+  store ptr null, ptr %.1341, align 8
   %excinfo.15 = alloca ptr, align 8
   store ptr null, ptr %excinfo.15, align 8
-  %.1452 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1452, align 8
+  %.1469 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1469, align 8
   %excinfo.16 = alloca ptr, align 8
   store ptr null, ptr %excinfo.16, align 8
-  %.1507 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1507, align 8
+  %.1511 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1511, align 8
   %excinfo.17 = alloca ptr, align 8
   store ptr null, ptr %excinfo.17, align 8
-  %.1539 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1539, align 8
+  %.1566 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1566, align 8
   %excinfo.18 = alloca ptr, align 8
   store ptr null, ptr %excinfo.18, align 8
-  %.92 = load i64, ptr %arg.layout, align 8
-  %.94 = getelementptr i8, ptr %arg.layout, i64 16
-  %.95 = load i64, ptr %.94, align 8
-  %.105.idx = shl i64 %.92, 6
-  %.105 = getelementptr i8, ptr %arg.work, i64 %.105.idx
-  %.108.idx = mul i64 %.92, 72
+  %.1598 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1598, align 8
+  %excinfo.19 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.19, align 8
+  %.95 = load i64, ptr %arg.layout, align 8
+  %.97 = getelementptr i8, ptr %arg.layout, i64 16
+  %.98 = load i64, ptr %.97, align 8
+  %.108.idx = shl i64 %.95, 6
   %.108 = getelementptr i8, ptr %arg.work, i64 %.108.idx
-  %.idx = mul i64 %.92, 80
+  %.111.idx = mul i64 %.95, 72
+  %.111 = getelementptr i8, ptr %arg.work, i64 %.111.idx
+  %.idx = mul i64 %.95, 80
   %0 = getelementptr i8, ptr %arg.work, i64 %.idx
-  %.112 = getelementptr i8, ptr %0, i64 8
-  %.idx164 = mul i64 %.92, 88
-  %1 = getelementptr i8, ptr %arg.work, i64 %.idx164
-  %.125 = getelementptr i8, ptr %1, i64 8
-  %.idx165 = mul i64 %.92, 96
-  %2 = getelementptr i8, ptr %arg.work, i64 %.idx165
-  %.129 = getelementptr i8, ptr %2, i64 8
-  %.139.idx = shl i64 %arg.blocks, 5
-  %.139 = getelementptr i8, ptr %.129, i64 %.139.idx
-  %.146.idx = shl i64 %arg.blocks, 4
-  %.146 = getelementptr i8, ptr %.139, i64 %.146.idx
-  %.151 = getelementptr double, ptr %.146, i64 %.95
-  %.157 = getelementptr i8, ptr %arg.layout, i64 24
-  %.158 = load i64, ptr %.157, align 8
-  %3 = getelementptr double, ptr %.151, i64 %.95
+  %.115 = getelementptr i8, ptr %0, i64 8
+  %.idx173 = mul i64 %.95, 88
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx173
+  %.128 = getelementptr i8, ptr %1, i64 8
+  %.idx174 = mul i64 %.95, 96
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx174
+  %.132 = getelementptr i8, ptr %2, i64 8
+  %.142.idx = shl i64 %arg.blocks, 5
+  %.142 = getelementptr i8, ptr %.132, i64 %.142.idx
+  %.149.idx = shl i64 %arg.blocks, 4
+  %.149 = getelementptr i8, ptr %.142, i64 %.149.idx
+  %.154 = getelementptr double, ptr %.149, i64 %.98
+  %.160 = getelementptr i8, ptr %arg.layout, i64 24
+  %.161 = load i64, ptr %.160, align 8
+  %3 = getelementptr double, ptr %.154, i64 %.98
   %4 = getelementptr i8, ptr %3, i64 8
-  %.161 = getelementptr double, ptr %4, i64 %.158
-  %.166 = getelementptr i8, ptr %arg.layout, i64 8
-  %.167 = load i64, ptr %.166, align 8
-  %5 = getelementptr double, ptr %.161, i64 %.167
-  %.170 = getelementptr i8, ptr %5, i64 8
-  %.175 = getelementptr i8, ptr %arg.layout, i64 256
-  %.176 = load i64, ptr %.175, align 8
-  %.178 = getelementptr double, ptr %.170, i64 %.176
+  %.164 = getelementptr double, ptr %4, i64 %.161
+  %.169 = getelementptr i8, ptr %arg.layout, i64 8
+  %.170 = load i64, ptr %.169, align 8
+  %5 = getelementptr double, ptr %.164, i64 %.170
+  %.173 = getelementptr i8, ptr %5, i64 8
+  %.178 = getelementptr i8, ptr %arg.layout, i64 256
+  %.179 = load i64, ptr %.178, align 8
+  %.181 = getelementptr double, ptr %.173, i64 %.179
   %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
-  %.185 = getelementptr i8, ptr %6, i64 -8
-  %.186 = load double, ptr %.185, align 8
-  %.192 = load i64, ptr %arg.counts, align 8
-  %.284263.not = icmp slt i64 %arg.max_steps, 1
-  br i1 %.284263.not, label %B2754, label %B672.if.lr.ph
+  %.188 = getelementptr i8, ptr %6, i64 -8
+  %.189 = load double, ptr %.188, align 8
+  %.195 = load i64, ptr %arg.counts, align 8
+  %.287272.not = icmp slt i64 %arg.max_steps, 1
+  br i1 %.287272.not, label %B2860, label %B672.if.lr.ph
 
 B672.if.lr.ph:
-  %.424 = getelementptr i8, ptr %arg.state, i64 8
-  %.566 = getelementptr i8, ptr %arg.counts, i64 32
-  %.576 = getelementptr i8, ptr %arg.method, i64 1344
-  %.587 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
-  %.650 = getelementptr i8, ptr %arg.counts, i64 8
-  %.712 = getelementptr i8, ptr %arg.counts, i64 24
-  %.722.idx = mul i64 %.92, 56
-  %.722 = getelementptr i8, ptr %arg.work, i64 %.722.idx
-  %.779 = getelementptr i8, ptr %arg.settings, i64 8
-  %.1184 = getelementptr i8, ptr %arg.state, i64 16
-  %.1187 = getelementptr i8, ptr %arg.method, i64 1352
-  %.1503 = getelementptr i8, ptr %arg.settings, i64 16
-  %.860 = getelementptr i8, ptr %arg.counts, i64 16
-  %.868 = getelementptr i8, ptr %arg.method, i64 1352
-  %.909 = getelementptr i8, ptr %arg.settings, i64 24
-  %.424.promoted = load double, ptr %.424, align 8
+  %.429 = getelementptr i8, ptr %arg.state, i64 8
+  %.571 = getelementptr i8, ptr %arg.counts, i64 32
+  %.581 = getelementptr i8, ptr %arg.method, i64 1344
+  %.592 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.655 = getelementptr i8, ptr %arg.counts, i64 8
+  %.717 = getelementptr i8, ptr %arg.counts, i64 24
+  %.727.idx = mul i64 %.95, 56
+  %.727 = getelementptr i8, ptr %arg.work, i64 %.727.idx
+  %.784 = getelementptr i8, ptr %arg.settings, i64 8
+  %.1191 = getelementptr i8, ptr %arg.state, i64 16
+  %.1194 = getelementptr i8, ptr %arg.method, i64 1352
+  %.1562 = getelementptr i8, ptr %arg.settings, i64 16
+  %.865 = getelementptr i8, ptr %arg.counts, i64 16
+  %.873 = getelementptr i8, ptr %arg.method, i64 1352
+  %.914 = getelementptr i8, ptr %arg.settings, i64 24
+  %.429.promoted = load double, ptr %.429, align 8
   %7 = add i64 %arg.edge_count, -1
   br label %B672.if
 
 common.ret:
-  %common.ret.op = phi i32 [ %.1545, %B2622.endif.if ], [ 0, %B1748 ], [ 0, %B2754 ], [ %.1458, %B2494.endif.endif.if ], [ %.1513, %B2622.if ], [ %.491, %B818.endif.if ], [ %.545, %B860.if ], [ %.598, %B966.endif.if ], [ %.629, %B966.endif.endif.if ], [ %.691, %B1176.if ], [ %.731, %B1176.endif.if ], [ %.758, %B1176.endif.endif.if ], [ %.794, %B1176.endif.endif.endif.endif.if ], [ %.827, %B1176.endif.endif.endif.endif.endif.if ], [ %.876, %B1570.if ], [ %.1149, %B1942.if ], [ %.1195, %B2156.if ], [ %.1416, %B2494.if ], [ %.1288, %B2436.if ], [ 0, %B2494.endif.endif.endif ]
+  %common.ret.op = phi i32 [ %.1604, %B2728.endif.if ], [ 0, %B1748 ], [ 0, %B2860 ], [ %.1517, %B2600.endif.endif.if ], [ %.1572, %B2728.if ], [ %.496, %B818.endif.if ], [ %.550, %B860.if ], [ %.603, %B966.endif.if ], [ %.634, %B966.endif.endif.if ], [ %.696, %B1176.if ], [ %.736, %B1176.endif.if ], [ %.763, %B1176.endif.endif.if ], [ %.799, %B1176.endif.endif.endif.endif.if ], [ %.832, %B1176.endif.endif.endif.endif.endif.if ], [ %.881, %B1570.if ], [ %.1156, %B1942.if ], [ %.1202, %B2156.if ], [ %.1475, %B2600.if ], [ 0, %B2600.endif.endif.endif ], [ %.1345, %B2542.if ]
   ret i32 %common.ret.op
 
 B800:
-  %.470 = fmul contract double %.434, 5.000000e-01
-  %.472 = fcmp contract ogt double %.425266, %.470
-  br i1 %.472, label %B818, label %B856
+  %.475 = fmul contract double %.439, 5.000000e-01
+  %.477 = fcmp contract ogt double %.430275, %.475
+  br i1 %.477, label %B818, label %B856
 
 B818:
-  store double 0.000000e+00, ptr %.485, align 8
-  %.491 = call i32 @numba.21(ptr nonnull %.485, ptr nonnull %excinfo.1, double %.425266, double %.470)
-  switch i32 %.491, label %B818.endif.if [
+  store double 0.000000e+00, ptr %.490, align 8
+  %.496 = call i32 @numba.21(ptr nonnull %.490, ptr nonnull %excinfo.1, double %.430275, double %.475)
+  switch i32 %.496, label %B818.endif.if [
     i32 -2, label %B818.endif.endif
     i32 0, label %B818.endif.endif
   ]
 
 B856:
-  %h.3.1 = phi double [ %.425266, %B800 ], [ %.501, %B818.endif.endif ], [ %.434, %B672.if ]
-  br i1 %fresh.3.0265, label %B966, label %B860
+  %h.3.1 = phi double [ %.430275, %B800 ], [ %.506, %B818.endif.endif ], [ %.439, %B672.if ]
+  br i1 %fresh.3.0274, label %B966, label %B860
 
 B860:
-  store ptr null, ptr %.541, align 8
-  %.545 = call i32 @linearise.22(ptr nonnull %.541, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.422, ptr %arg.y, ptr %arg.Y, ptr %.151, ptr %.161, ptr %.125, ptr %.170, ptr %.178)
-  switch i32 %.545, label %B860.if [
+  store ptr null, ptr %.546, align 8
+  %.550 = call i32 @linearise.22(ptr nonnull %.546, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.427, ptr %arg.y, ptr %arg.Y, ptr %.154, ptr %.164, ptr %.128, ptr %.173, ptr %.181)
+  switch i32 %.550, label %B860.if [
     i32 -2, label %B860.endif
     i32 0, label %B860.endif
   ]
 
 B966:
-  %.577 = load double, ptr %.576, align 8
-  %.579 = fmul contract double %h.3.1, %.577
-  %.583 = fdiv contract double 1.000000e+00, %.579
-  %.588 = load i32, ptr %.587, align 4
-  store ptr null, ptr %.594, align 8
-  %.598 = call i32 @lu_fill.23(ptr nonnull %.594, ptr nonnull %excinfo.3, i64 %.92, i32 %.588, ptr %.151, ptr %arg.own, ptr %arg.mass, double %.583, ptr %.146)
-  switch i32 %.598, label %B966.endif.if [
+  %.582 = load double, ptr %.581, align 8
+  %.584 = fmul contract double %h.3.1, %.582
+  %.588 = fdiv contract double 1.000000e+00, %.584
+  %.593 = load i32, ptr %.592, align 4
+  store ptr null, ptr %.599, align 8
+  %.603 = call i32 @lu_fill.23(ptr nonnull %.599, ptr nonnull %excinfo.3, i64 %.95, i32 %.593, ptr %.154, ptr %arg.own, ptr %arg.mass, double %.588, ptr %.149)
+  switch i32 %.603, label %B966.endif.if [
     i32 -2, label %B966.endif.endif
     i32 0, label %B966.endif.endif
   ]
 
 B1176:
-  store ptr null, ptr %.687, align 8
-  %.691 = call i32 @solve_stages.24(ptr nonnull %.687, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.422, double %h.3.1, ptr %arg.y, ptr %arg.Y, ptr %.125, ptr %.146, ptr %arg.work, ptr %.105, i64 0, ptr %.108, ptr %.112, ptr %.139, ptr %.170, ptr %.178)
-  switch i32 %.691, label %B1176.if [
+  store ptr null, ptr %.692, align 8
+  %.696 = call i32 @solve_stages.24(ptr nonnull %.692, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.427, double %h.3.1, ptr %arg.y, ptr %arg.Y, ptr %.128, ptr %.149, ptr %arg.work, ptr %.108, i64 0, ptr %.111, ptr %.115, ptr %.142, ptr %.173, ptr %.181)
+  switch i32 %.696, label %B1176.if [
     i32 -2, label %B1176.endif
     i32 0, label %B1176.endif
   ]
 
 B1558:
-  %error.2.1 = phi double [ %.837, %B1176.endif.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B966.endif.endif.endif ]
-  %.851 = fcmp contract ugt double %error.2.1, 1.000000e+00
-  br i1 %.851, label %B1570, label %B1770
+  %error.2.1 = phi double [ %.842, %B1176.endif.endif.endif.endif.endif.endif ], [ 0x7FF0000000000000, %B966.endif.endif.endif ]
+  %.856 = fcmp contract ugt double %error.2.1, 1.000000e+00
+  br i1 %.856, label %B1570, label %B1770
 
 B1570:
-  %.861 = load i64, ptr %.860, align 8
-  %.862 = add nsw i64 %.861, 1
-  store i64 %.862, ptr %.860, align 8
-  %.869 = load double, ptr %.868, align 8
-  store double 0.000000e+00, ptr %.872, align 8
-  %.876 = call i32 @step_factor.25(ptr nonnull %.872, ptr nonnull %excinfo.10, double %error.2.1, double 1.000000e+00, double %.869, ptr %arg.settings)
-  switch i32 %.876, label %B1570.if [
+  %.866 = load i64, ptr %.865, align 8
+  %.867 = add nsw i64 %.866, 1
+  store i64 %.867, ptr %.865, align 8
+  %.874 = load double, ptr %.873, align 8
+  store double 0.000000e+00, ptr %.877, align 8
+  %.881 = call i32 @step_factor.25(ptr nonnull %.877, ptr nonnull %excinfo.10, double %error.2.1, double 1.000000e+00, double %.874, ptr %arg.settings)
+  switch i32 %.881, label %B1570.if [
     i32 -2, label %B1570.endif
     i32 0, label %B1570.endif
   ]
@@ -4203,251 +4260,251 @@ B1748:
   br label %common.ret
 
 B1770:
-  %.1024 = fadd contract double %.422, %h.3.1
-  %until.2.1 = select i1 %.441, double %.186, double %.1024
-  %.1036 = load i64, ptr %arg.counts, align 8
-  %.1046 = icmp slt i64 %.1036, %arg.edge_count
-  br i1 %.1046, label %B1826, label %B1908
+  %.1031 = fadd contract double %.427, %h.3.1
+  %until.2.1 = select i1 %.446, double %.189, double %.1031
+  %.1043 = load i64, ptr %arg.counts, align 8
+  %.1053 = icmp slt i64 %.1043, %arg.edge_count
+  br i1 %.1053, label %B1826, label %B1908
 
 B1826:
-  %.1057 = getelementptr double, ptr %arg.edges, i64 %.1036
-  %.1058 = load double, ptr %.1057, align 8
-  %.1062 = fmul contract double %until.2.1, 0x3FF0000000000005
-  %.1063 = fcmp contract ugt double %.1058, %.1062
-  br i1 %.1063, label %B1908, label %B1856
+  %.1064 = getelementptr double, ptr %arg.edges, i64 %.1043
+  %.1065 = load double, ptr %.1064, align 8
+  %.1069 = fmul contract double %until.2.1, 0x3FF0000000000005
+  %.1070 = fcmp contract ugt double %.1065, %.1069
+  br i1 %.1070, label %B1908, label %B1856
 
 B1856:
-  %stop.2.1 = phi i64 [ %.1069, %B1878 ], [ %.1036, %B1826 ]
+  %stop.2.1 = phi i64 [ %.1076, %B1878 ], [ %.1043, %B1826 ]
   %exitcond.not = icmp eq i64 %stop.2.1, %7
   br i1 %exitcond.not, label %B1908, label %B1878
 
 B1878:
-  %.1069 = add nsw i64 %stop.2.1, 1
-  %.1090 = getelementptr double, ptr %arg.edges, i64 %.1069
-  %.1091 = load double, ptr %.1090, align 8
-  %.1096 = fcmp contract ugt double %.1091, %.1062
-  br i1 %.1096, label %B1908, label %B1856
+  %.1076 = add nsw i64 %stop.2.1, 1
+  %.1097 = getelementptr double, ptr %arg.edges, i64 %.1076
+  %.1098 = load double, ptr %.1097, align 8
+  %.1103 = fcmp contract ugt double %.1098, %.1069
+  br i1 %.1103, label %B1908, label %B1856
 
 B1908:
-  %stop.3.2 = phi i64 [ %.1036, %B1826 ], [ %.1036, %B1770 ], [ %arg.edge_count, %B1856 ], [ %.1069, %B1878 ]
-  %.1113 = icmp sgt i64 %stop.3.2, %.1036
-  br i1 %.1113, label %B1942, label %B2156
+  %stop.3.2 = phi i64 [ %.1043, %B1826 ], [ %.1043, %B1770 ], [ %arg.edge_count, %B1856 ], [ %.1076, %B1878 ]
+  %.1120 = icmp sgt i64 %stop.3.2, %.1043
+  br i1 %.1120, label %B1942, label %B2156
 
 B1942:
-  %.1120 = getelementptr double, ptr %arg.edges, i64 %.1036
-  %.1125 = sub nsw i64 %stop.3.2, %.1036
-  %.1130 = sub nsw i64 %.1036, %.192
-  %.1132 = mul nsw i64 %.1130, %.92
-  %.1134 = getelementptr double, ptr %arg.outputs, i64 %.1132
-  store ptr null, ptr %.1145, align 8
-  %.1149 = call i32 @dense_output.26(ptr nonnull %.1145, ptr nonnull %excinfo.11, i64 %.92, ptr %arg.y, ptr %.112, ptr %arg.work, ptr %arg.method, double %.422, double %until.2.1, ptr %.1120, i64 %.1125, ptr %.1134, ptr %.108, ptr %.129, ptr %.139)
-  switch i32 %.1149, label %B1942.if [
+  %.1127 = getelementptr double, ptr %arg.edges, i64 %.1043
+  %.1132 = sub nsw i64 %stop.3.2, %.1043
+  %.1137 = sub nsw i64 %.1043, %.195
+  %.1139 = mul nsw i64 %.1137, %.95
+  %.1141 = getelementptr double, ptr %arg.outputs, i64 %.1139
+  store ptr null, ptr %.1152, align 8
+  %.1156 = call i32 @dense_output.26(ptr nonnull %.1152, ptr nonnull %excinfo.11, i64 %.95, ptr %arg.y, ptr %.115, ptr %arg.work, ptr %arg.method, double %.427, double %until.2.1, ptr %.1127, i64 %.1132, ptr %.1141, ptr %.111, ptr %.132, ptr %.142)
+  switch i32 %.1156, label %B1942.if [
     i32 -2, label %B1942.endif
     i32 0, label %B1942.endif
   ]
 
 B2156:
-  %.1185 = load double, ptr %.1184, align 8
-  %.1188 = load double, ptr %.1187, align 8
-  store double 0.000000e+00, ptr %.1191, align 8
-  %.1195 = call i32 @step_factor.25(ptr nonnull %.1191, ptr nonnull %excinfo.12, double %error.2.1, double %.1185, double %.1188, ptr %arg.settings)
-  %.1205 = load double, ptr %.1191, align 8
-  switch i32 %.1195, label %B2156.if [
+  %.1192 = load double, ptr %.1191, align 8
+  %.1195 = load double, ptr %.1194, align 8
+  store double 0.000000e+00, ptr %.1198, align 8
+  %.1202 = call i32 @step_factor.25(ptr nonnull %.1198, ptr nonnull %excinfo.12, double %error.2.1, double %.1192, double %.1195, ptr %arg.settings)
+  %.1212 = load double, ptr %.1198, align 8
+  switch i32 %.1202, label %B2156.if [
     i32 -2, label %B2156.endif
     i32 0, label %B2156.endif
   ]
 
-B2494:
-  store double 0.000000e+00, ptr %.1410, align 8
-  %.1416 = call i32 @numba.28(ptr nonnull %.1410, ptr nonnull %excinfo.15, double %.425266, double %h.3.1)
-  %.1426 = load double, ptr %.1410, align 8
-  switch i32 %.1416, label %B2494.if [
-    i32 -2, label %B2494.endif
-    i32 0, label %B2494.endif
+B2600:
+  store double 0.000000e+00, ptr %.1469, align 8
+  %.1475 = call i32 @numba.28(ptr nonnull %.1469, ptr nonnull %excinfo.16, double %.430275, double %h.3.1)
+  %.1485 = load double, ptr %.1469, align 8
+  switch i32 %.1475, label %B2600.if [
+    i32 -2, label %B2600.endif
+    i32 0, label %B2600.endif
   ]
 
-B2622:
-  %.1497 = fmul contract double %h.3.1, %.1205
-  %.1504 = load double, ptr %.1503, align 8
-  store double 0.000000e+00, ptr %.1507, align 8
-  %.1513 = call i32 @numba.21(ptr nonnull %.1507, ptr nonnull %excinfo.17, double %.1497, double %.1504)
-  switch i32 %.1513, label %B2622.if [
-    i32 -2, label %B2622.endif
-    i32 0, label %B2622.endif
+B2728:
+  %.1556 = fmul contract double %h.3.1, %.1212
+  %.1563 = load double, ptr %.1562, align 8
+  store double 0.000000e+00, ptr %.1566, align 8
+  %.1572 = call i32 @numba.21(ptr nonnull %.1566, ptr nonnull %excinfo.18, double %.1556, double %.1563)
+  switch i32 %.1572, label %B2728.if [
+    i32 -2, label %B2728.endif
+    i32 0, label %B2728.endif
   ]
 
-B2754:
+B2860:
   store i64 1, ptr %retptr, align 8
   br label %common.ret
 
-B2755:
-  %.425267 = phi double [ %.899, %B1570.endif ], [ %.1523, %B2622.endif.endif ]
-  %.284 = icmp sgt i64 %.228.0264, 1
-  br i1 %.284, label %B672.if, label %B2754
+B2861:
+  %.430276 = phi double [ %.904, %B1570.endif ], [ %.1582, %B2728.endif.endif ]
+  %.287 = icmp sgt i64 %.231.0273, 1
+  br i1 %.287, label %B672.if, label %B2860
 
 B672.if:
-  %.425266 = phi double [ %.424.promoted, %B672.if.lr.ph ], [ %.425267, %B2755 ]
-  %fresh.3.0265 = phi i1 [ false, %B672.if.lr.ph ], [ %.851, %B2755 ]
-  %.228.0264 = phi i64 [ %arg.max_steps, %B672.if.lr.ph ], [ %.293, %B2755 ]
-  %.293 = add nsw i64 %.228.0264, -1
-  %.422 = load double, ptr %arg.state, align 8
-  %.434 = fsub contract double %.186, %.422
-  %.439 = fmul contract double %.434, 0x3FEFFFFFFF768FA1
-  %.441 = fcmp contract oge double %.425266, %.439
-  br i1 %.441, label %B856, label %B800
+  %.430275 = phi double [ %.429.promoted, %B672.if.lr.ph ], [ %.430276, %B2861 ]
+  %fresh.3.0274 = phi i1 [ false, %B672.if.lr.ph ], [ %.856, %B2861 ]
+  %.231.0273 = phi i64 [ %arg.max_steps, %B672.if.lr.ph ], [ %.296, %B2861 ]
+  %.296 = add nsw i64 %.231.0273, -1
+  %.427 = load double, ptr %arg.state, align 8
+  %.439 = fsub contract double %.189, %.427
+  %.444 = fmul contract double %.439, 0x3FEFFFFFFF768FA1
+  %.446 = fcmp contract oge double %.430275, %.444
+  br i1 %.446, label %B856, label %B800
 
 B818.endif.if:
-  %.499 = icmp sgt i32 %.491, 0
-  %.492 = load ptr, ptr %excinfo.1, align 8
-  %.500 = select i1 %.499, ptr %.492, ptr undef
-  store ptr %.500, ptr %excinfo, align 8
+  %.504 = icmp sgt i32 %.496, 0
+  %.497 = load ptr, ptr %excinfo.1, align 8
+  %.505 = select i1 %.504, ptr %.497, ptr undef
+  store ptr %.505, ptr %excinfo, align 8
   br label %common.ret
 
 B818.endif.endif:
-  %.501 = load double, ptr %.485, align 8
+  %.506 = load double, ptr %.490, align 8
   br label %B856
 
 B860.if:
-  %.553 = icmp sgt i32 %.545, 0
-  %.546 = load ptr, ptr %excinfo.2, align 8
-  %.554 = select i1 %.553, ptr %.546, ptr undef
-  store ptr %.554, ptr %excinfo, align 8
+  %.558 = icmp sgt i32 %.550, 0
+  %.551 = load ptr, ptr %excinfo.2, align 8
+  %.559 = select i1 %.558, ptr %.551, ptr undef
+  store ptr %.559, ptr %excinfo, align 8
   br label %common.ret
 
 B860.endif:
-  %.567 = load i64, ptr %.566, align 8
-  %.568 = add nsw i64 %.567, 1
-  store i64 %.568, ptr %.566, align 8
+  %.572 = load i64, ptr %.571, align 8
+  %.573 = add nsw i64 %.572, 1
+  store i64 %.573, ptr %.571, align 8
   br label %B966
 
 B966.endif.if:
-  %.606 = icmp sgt i32 %.598, 0
-  %.599 = load ptr, ptr %excinfo.3, align 8
-  %.607 = select i1 %.606, ptr %.599, ptr undef
-  store ptr %.607, ptr %excinfo, align 8
+  %.611 = icmp sgt i32 %.603, 0
+  %.604 = load ptr, ptr %excinfo.3, align 8
+  %.612 = select i1 %.611, ptr %.604, ptr undef
+  store ptr %.612, ptr %excinfo, align 8
   br label %common.ret
 
 B966.endif.endif:
-  store i64 0, ptr %.625, align 8
-  %.629 = call i32 @lu_factor.17(ptr nonnull %.625, ptr nonnull %excinfo.4, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.146, ptr %.129)
-  switch i32 %.629, label %B966.endif.endif.if [
+  store i64 0, ptr %.630, align 8
+  %.634 = call i32 @lu_factor.17(ptr nonnull %.630, ptr nonnull %excinfo.4, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.149, ptr %.132)
+  switch i32 %.634, label %B966.endif.endif.if [
     i32 -2, label %B966.endif.endif.endif
     i32 0, label %B966.endif.endif.endif
   ]
 
 B966.endif.endif.if:
-  %.637 = icmp sgt i32 %.629, 0
-  %.630 = load ptr, ptr %excinfo.4, align 8
-  %.638 = select i1 %.637, ptr %.630, ptr undef
-  store ptr %.638, ptr %excinfo, align 8
+  %.642 = icmp sgt i32 %.634, 0
+  %.635 = load ptr, ptr %excinfo.4, align 8
+  %.643 = select i1 %.642, ptr %.635, ptr undef
+  store ptr %.643, ptr %excinfo, align 8
   br label %common.ret
 
 B966.endif.endif.endif:
-  %.639 = load i64, ptr %.625, align 8
-  %.651 = load i64, ptr %.650, align 8
-  %.652 = add nsw i64 %.651, 1
-  store i64 %.652, ptr %.650, align 8
-  %.659 = icmp eq i64 %.639, 0
-  br i1 %.659, label %B1176, label %B1558
+  %.644 = load i64, ptr %.630, align 8
+  %.656 = load i64, ptr %.655, align 8
+  %.657 = add nsw i64 %.656, 1
+  store i64 %.657, ptr %.655, align 8
+  %.664 = icmp eq i64 %.644, 0
+  br i1 %.664, label %B1176, label %B1558
 
 B1176.if:
-  %.699 = icmp sgt i32 %.691, 0
-  %.692 = load ptr, ptr %excinfo.5, align 8
-  %.700 = select i1 %.699, ptr %.692, ptr undef
-  store ptr %.700, ptr %excinfo, align 8
+  %.704 = icmp sgt i32 %.696, 0
+  %.697 = load ptr, ptr %excinfo.5, align 8
+  %.705 = select i1 %.704, ptr %.697, ptr undef
+  store ptr %.705, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif:
-  %.713 = load i64, ptr %.712, align 8
-  %.714 = add nsw i64 %.713, 8
-  store i64 %.714, ptr %.712, align 8
-  store ptr null, ptr %.727, align 8
-  %.731 = call i32 @copy.27(ptr nonnull %.727, ptr nonnull %excinfo.6, i64 %.92, ptr %.105, ptr %.112)
-  switch i32 %.731, label %B1176.endif.if [
+  %.718 = load i64, ptr %.717, align 8
+  %.719 = add nsw i64 %.718, 8
+  store i64 %.719, ptr %.717, align 8
+  store ptr null, ptr %.732, align 8
+  %.736 = call i32 @copy.27(ptr nonnull %.732, ptr nonnull %excinfo.6, i64 %.95, ptr %.108, ptr %.115)
+  switch i32 %.736, label %B1176.endif.if [
     i32 -2, label %B1176.endif.endif
     i32 0, label %B1176.endif.endif
   ]
 
 B1176.endif.if:
-  %.739 = icmp sgt i32 %.731, 0
-  %.732 = load ptr, ptr %excinfo.6, align 8
-  %.740 = select i1 %.739, ptr %.732, ptr undef
-  store ptr %.740, ptr %excinfo, align 8
+  %.744 = icmp sgt i32 %.736, 0
+  %.737 = load ptr, ptr %excinfo.6, align 8
+  %.745 = select i1 %.744, ptr %.737, ptr undef
+  store ptr %.745, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif:
-  store ptr null, ptr %.754, align 8
-  %.758 = call i32 @add_scaled.29(ptr nonnull %.754, ptr nonnull %excinfo.7, i64 %.92, double 1.000000e+00, ptr %.722, ptr %.112)
-  switch i32 %.758, label %B1176.endif.endif.if [
+  store ptr null, ptr %.759, align 8
+  %.763 = call i32 @add_scaled.29(ptr nonnull %.759, ptr nonnull %excinfo.7, i64 %.95, double 1.000000e+00, ptr %.727, ptr %.115)
+  switch i32 %.763, label %B1176.endif.endif.if [
     i32 -2, label %B1176.endif.endif.endif
     i32 0, label %B1176.endif.endif.endif
   ]
 
 B1176.endif.endif.if:
-  %.766 = icmp sgt i32 %.758, 0
-  %.759 = load ptr, ptr %excinfo.7, align 8
-  %.767 = select i1 %.766, ptr %.759, ptr undef
-  store ptr %.767, ptr %excinfo, align 8
+  %.771 = icmp sgt i32 %.763, 0
+  %.764 = load ptr, ptr %excinfo.7, align 8
+  %.772 = select i1 %.771, ptr %.764, ptr undef
+  store ptr %.772, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif.endif:
-  %.780 = load double, ptr %.779, align 8
-  %.785 = fdiv contract double %h.3.1, %.780
-  store double 0.000000e+00, ptr %.788, align 8
-  %.794 = call i32 @numba.21(ptr nonnull %.788, ptr nonnull %excinfo.8, double 1.000000e+00, double %.785)
-  switch i32 %.794, label %B1176.endif.endif.endif.endif.if [
+  %.785 = load double, ptr %.784, align 8
+  %.790 = fdiv contract double %h.3.1, %.785
+  store double 0.000000e+00, ptr %.793, align 8
+  %.799 = call i32 @numba.21(ptr nonnull %.793, ptr nonnull %excinfo.8, double 1.000000e+00, double %.790)
+  switch i32 %.799, label %B1176.endif.endif.endif.endif.if [
     i32 -2, label %B1176.endif.endif.endif.endif.endif
     i32 0, label %B1176.endif.endif.endif.endif.endif
   ]
 
 B1176.endif.endif.endif.endif.if:
-  %.802 = icmp sgt i32 %.794, 0
-  %.795 = load ptr, ptr %excinfo.8, align 8
-  %.803 = select i1 %.802, ptr %.795, ptr undef
-  store ptr %.803, ptr %excinfo, align 8
+  %.807 = icmp sgt i32 %.799, 0
+  %.800 = load ptr, ptr %excinfo.8, align 8
+  %.808 = select i1 %.807, ptr %.800, ptr undef
+  store ptr %.808, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif.endif.endif.endif:
-  %.804 = load double, ptr %.788, align 8
-  %.817 = load double, ptr %arg.settings, align 8
-  store double 0.000000e+00, ptr %.823, align 8
-  %.827 = call i32 @step_error.30(ptr nonnull %.823, ptr nonnull %excinfo.9, i64 %.92, i64 %arg.tested, ptr %arg.y, ptr %.112, ptr %.722, ptr %arg.powers, double %.804, double %.817)
-  switch i32 %.827, label %B1176.endif.endif.endif.endif.endif.if [
+  %.809 = load double, ptr %.793, align 8
+  %.822 = load double, ptr %arg.settings, align 8
+  store double 0.000000e+00, ptr %.828, align 8
+  %.832 = call i32 @step_error.30(ptr nonnull %.828, ptr nonnull %excinfo.9, i64 %.95, i64 %arg.tested, ptr %arg.y, ptr %.115, ptr %.727, ptr %arg.powers, double %.809, double %.822)
+  switch i32 %.832, label %B1176.endif.endif.endif.endif.endif.if [
     i32 -2, label %B1176.endif.endif.endif.endif.endif.endif
     i32 0, label %B1176.endif.endif.endif.endif.endif.endif
   ]
 
 B1176.endif.endif.endif.endif.endif.if:
-  %.835 = icmp sgt i32 %.827, 0
-  %.828 = load ptr, ptr %excinfo.9, align 8
-  %.836 = select i1 %.835, ptr %.828, ptr undef
-  store ptr %.836, ptr %excinfo, align 8
+  %.840 = icmp sgt i32 %.832, 0
+  %.833 = load ptr, ptr %excinfo.9, align 8
+  %.841 = select i1 %.840, ptr %.833, ptr undef
+  store ptr %.841, ptr %excinfo, align 8
   br label %common.ret
 
 B1176.endif.endif.endif.endif.endif.endif:
-  %.837 = load double, ptr %.823, align 8
+  %.842 = load double, ptr %.828, align 8
   br label %B1558
 
 B1570.if:
-  %.884 = icmp sgt i32 %.876, 0
-  %.877 = load ptr, ptr %excinfo.10, align 8
-  %.885 = select i1 %.884, ptr %.877, ptr undef
-  store ptr %.885, ptr %excinfo, align 8
+  %.889 = icmp sgt i32 %.881, 0
+  %.882 = load ptr, ptr %excinfo.10, align 8
+  %.890 = select i1 %.889, ptr %.882, ptr undef
+  store ptr %.890, ptr %excinfo, align 8
   br label %common.ret
 
 B1570.endif:
-  %.886 = load double, ptr %.872, align 8
-  %.899 = fmul contract double %h.3.1, %.886
-  store double %.899, ptr %.424, align 8
-  %.910 = load double, ptr %.909, align 8
-  %.911 = fcmp contract olt double %.899, %.910
-  br i1 %.911, label %B1748, label %B2755
+  %.891 = load double, ptr %.877, align 8
+  %.904 = fmul contract double %h.3.1, %.891
+  store double %.904, ptr %.429, align 8
+  %.915 = load double, ptr %.914, align 8
+  %.916 = fcmp contract olt double %.904, %.915
+  br i1 %.916, label %B1748, label %B2861
 
 B1942.if:
-  %.1157 = icmp sgt i32 %.1149, 0
-  %.1150 = load ptr, ptr %excinfo.11, align 8
-  %.1158 = select i1 %.1157, ptr %.1150, ptr undef
-  store ptr %.1158, ptr %excinfo, align 8
+  %.1164 = icmp sgt i32 %.1156, 0
+  %.1157 = load ptr, ptr %excinfo.11, align 8
+  %.1165 = select i1 %.1164, ptr %.1157, ptr undef
+  store ptr %.1165, ptr %excinfo, align 8
   br label %common.ret
 
 B1942.endif:
@@ -4455,101 +4512,101 @@ B1942.endif:
   br label %B2156
 
 B2156.if:
-  %.1203 = icmp sgt i32 %.1195, 0
-  %.1196 = load ptr, ptr %excinfo.12, align 8
-  %.1204 = select i1 %.1203, ptr %.1196, ptr undef
-  store ptr %.1204, ptr %excinfo, align 8
+  %.1210 = icmp sgt i32 %.1202, 0
+  %.1203 = load ptr, ptr %excinfo.12, align 8
+  %.1211 = select i1 %.1210, ptr %.1203, ptr undef
+  store ptr %.1211, ptr %excinfo, align 8
   br label %common.ret
 
 B2156.endif:
-  store ptr null, ptr %.1284, align 8
-  %.1288 = call i32 @copy.27(ptr nonnull %.1284, ptr nonnull %excinfo.14, i64 %.92, ptr %.112, ptr %arg.y)
-  switch i32 %.1288, label %B2436.if [
-    i32 -2, label %B2436.endif
-    i32 0, label %B2436.endif
+  store ptr null, ptr %.1341, align 8
+  %.1345 = call i32 @copy.27(ptr nonnull %.1341, ptr nonnull %excinfo.15, i64 %.95, ptr %.115, ptr %arg.y)
+  switch i32 %.1345, label %B2542.if [
+    i32 -2, label %B2542.endif
+    i32 0, label %B2542.endif
   ]
 
-B2436.if:
-  %.1296 = icmp sgt i32 %.1288, 0
-  %.1289 = load ptr, ptr %excinfo.14, align 8
-  %.1297 = select i1 %.1296, ptr %.1289, ptr undef
-  store ptr %.1297, ptr %excinfo, align 8
+B2542.if:
+  %.1353 = icmp sgt i32 %.1345, 0
+  %.1346 = load ptr, ptr %excinfo.15, align 8
+  %.1354 = select i1 %.1353, ptr %.1346, ptr undef
+  store ptr %.1354, ptr %excinfo, align 8
   br label %common.ret
 
-B2436.endif:
+B2542.endif:
   store double %until.2.1, ptr %arg.state, align 8
-  br i1 %.441, label %B2494, label %B2622
+  br i1 %.446, label %B2600, label %B2728
 
-B2494.if:
-  %.1424 = icmp sgt i32 %.1416, 0
-  %.1417 = load ptr, ptr %excinfo.15, align 8
-  %.1425 = select i1 %.1424, ptr %.1417, ptr undef
-  store ptr %.1425, ptr %excinfo, align 8
+B2600.if:
+  %.1483 = icmp sgt i32 %.1475, 0
+  %.1476 = load ptr, ptr %excinfo.16, align 8
+  %.1484 = select i1 %.1483, ptr %.1476, ptr undef
+  store ptr %.1484, ptr %excinfo, align 8
   br label %common.ret
 
-B2494.endif:
-  %.1441 = getelementptr i8, ptr %arg.settings, i64 32
-  %.1442 = load double, ptr %.1441, align 8
-  %.1448 = fdiv contract double 1.000000e+00, %.1442
-  store double 0.000000e+00, ptr %.1452, align 8
-  %.1458 = call i32 @numba.21(ptr nonnull %.1452, ptr nonnull %excinfo.16, double %.1205, double %.1448)
-  switch i32 %.1458, label %B2494.endif.endif.if [
-    i32 -2, label %B2494.endif.endif.endif
-    i32 0, label %B2494.endif.endif.endif
+B2600.endif:
+  %.1500 = getelementptr i8, ptr %arg.settings, i64 32
+  %.1501 = load double, ptr %.1500, align 8
+  %.1507 = fdiv contract double 1.000000e+00, %.1501
+  store double 0.000000e+00, ptr %.1511, align 8
+  %.1517 = call i32 @numba.21(ptr nonnull %.1511, ptr nonnull %excinfo.17, double %.1212, double %.1507)
+  switch i32 %.1517, label %B2600.endif.endif.if [
+    i32 -2, label %B2600.endif.endif.endif
+    i32 0, label %B2600.endif.endif.endif
   ]
 
-B2494.endif.endif.if:
-  %.1466 = icmp sgt i32 %.1458, 0
-  %.1459 = load ptr, ptr %excinfo.16, align 8
-  %.1467 = select i1 %.1466, ptr %.1459, ptr undef
-  store ptr %.1467, ptr %excinfo, align 8
+B2600.endif.endif.if:
+  %.1525 = icmp sgt i32 %.1517, 0
+  %.1518 = load ptr, ptr %excinfo.17, align 8
+  %.1526 = select i1 %.1525, ptr %.1518, ptr undef
+  store ptr %.1526, ptr %excinfo, align 8
   br label %common.ret
 
-B2494.endif.endif.endif:
-  %.1468 = load double, ptr %.1452, align 8
-  %.1480 = fmul contract double %.1426, %.1468
-  store double %.1480, ptr %.424, align 8
+B2600.endif.endif.endif:
+  %.1527 = load double, ptr %.1511, align 8
+  %.1539 = fmul contract double %.1485, %.1527
+  store double %.1539, ptr %.429, align 8
   store i64 0, ptr %retptr, align 8
   br label %common.ret
 
-B2622.if:
-  %.1521 = icmp sgt i32 %.1513, 0
-  %.1514 = load ptr, ptr %excinfo.17, align 8
-  %.1522 = select i1 %.1521, ptr %.1514, ptr undef
-  store ptr %.1522, ptr %excinfo, align 8
+B2728.if:
+  %.1580 = icmp sgt i32 %.1572, 0
+  %.1573 = load ptr, ptr %excinfo.18, align 8
+  %.1581 = select i1 %.1580, ptr %.1573, ptr undef
+  store ptr %.1581, ptr %excinfo, align 8
   br label %common.ret
 
-B2622.endif:
-  %.1523 = load double, ptr %.1507, align 8
-  store double %.1523, ptr %.424, align 8
-  store double 0.000000e+00, ptr %.1539, align 8
-  %.1545 = call i32 @numba.28(ptr nonnull %.1539, ptr nonnull %excinfo.18, double %error.2.1, double 1.000000e-04)
-  switch i32 %.1545, label %B2622.endif.if [
-    i32 -2, label %B2622.endif.endif
-    i32 0, label %B2622.endif.endif
+B2728.endif:
+  %.1582 = load double, ptr %.1566, align 8
+  store double %.1582, ptr %.429, align 8
+  store double 0.000000e+00, ptr %.1598, align 8
+  %.1604 = call i32 @numba.28(ptr nonnull %.1598, ptr nonnull %excinfo.19, double %error.2.1, double 1.000000e-04)
+  switch i32 %.1604, label %B2728.endif.if [
+    i32 -2, label %B2728.endif.endif
+    i32 0, label %B2728.endif.endif
   ]
 
-B2622.endif.if:
-  %.1553 = icmp sgt i32 %.1545, 0
-  %.1546 = load ptr, ptr %excinfo.18, align 8
-  %.1554 = select i1 %.1553, ptr %.1546, ptr undef
-  store ptr %.1554, ptr %excinfo, align 8
+B2728.endif.if:
+  %.1612 = icmp sgt i32 %.1604, 0
+  %.1605 = load ptr, ptr %excinfo.19, align 8
+  %.1613 = select i1 %.1612, ptr %.1605, ptr undef
+  store ptr %.1613, ptr %excinfo, align 8
   br label %common.ret
 
-B2622.endif.endif:
-  %.1555 = load double, ptr %.1539, align 8
-  store double %.1555, ptr %.1184, align 8
-  br label %B2755
+B2728.endif.endif:
+  %.1614 = load double, ptr %.1598, align 8
+  store double %.1614, ptr %.1191, align 8
+  br label %B2861
 }
 
 define i64 @lu_solve_transposed(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @lu_solve_transposed.35(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @lu_solve_transposed.36(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @lu_solve_transposed.35(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
+define internal i32 @lu_solve_transposed.36(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
 entry:
   %0 = call i64 @llvm.smax.i64(i64 %arg.blocks, i64 0)
   %storemerge = shl nuw i64 %0, 1
@@ -4745,11 +4802,11 @@ B1090.if:
 define i64 @lu_solve_sides(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @lu_solve_sides.36(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @lu_solve_sides.37(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @lu_solve_sides.36(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
+define internal i32 @lu_solve_sides.37(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
 entry:
   %.691 = alloca ptr, align 8
   store ptr null, ptr %.691, align 8
@@ -4851,7 +4908,7 @@ B348.if:
   %.685 = sext i32 %.684 to i64
   %.687 = shl nsw i64 %.685, 4
   store ptr null, ptr %.691, align 8
-  %.695 = call i32 @subtract_product.37(ptr nonnull %.691, ptr nonnull %excinfo.1, ptr %arg.lu, i64 %.680, ptr %arg.x, i64 %.687, i64 %.551)
+  %.695 = call i32 @subtract_product.38(ptr nonnull %.691, ptr nonnull %excinfo.1, ptr %arg.lu, i64 %.680, ptr %arg.x, i64 %.687, i64 %.551)
   switch i32 %.695, label %B350.if [
     i32 -2, label %B350.endif
     i32 0, label %B350.endif
@@ -4897,7 +4954,7 @@ B594.if:
   %.993 = sext i32 %.992 to i64
   %.995 = shl nsw i64 %.993, 4
   store ptr null, ptr %.999, align 8
-  %.1003 = call i32 @subtract_product.37(ptr nonnull %.999, ptr nonnull %excinfo.2, ptr %arg.lu, i64 %.989, ptr %arg.x, i64 %.995, i64 %.849)
+  %.1003 = call i32 @subtract_product.38(ptr nonnull %.999, ptr nonnull %excinfo.2, ptr %arg.lu, i64 %.989, ptr %arg.x, i64 %.995, i64 %.849)
   switch i32 %.1003, label %B596.if [
     i32 -2, label %B596.endif
     i32 0, label %B596.endif
@@ -4949,7 +5006,7 @@ B988.if:
   br i1 %exitcond408.not, label %B1118, label %B988.if
 }
 
-define internal i32 @subtract_product.37(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.lu, i64 %arg.block, ptr noalias %arg.x, i64 %arg.source, i64 %arg.target) {
+define internal i32 @subtract_product.38(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.lu, i64 %arg.block, ptr noalias %arg.x, i64 %arg.source, i64 %arg.target) {
 entry:
   %.15 = getelementptr double, ptr %arg.lu, i64 %arg.block
   %.16 = load double, ptr %.15, align 8
@@ -4997,11 +5054,11 @@ B132.if:
 define i64 @slopes_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @slopes_at.38(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
+  %1 = call i32 @slopes_at.39(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
   ret i64 0
 }
 
-define internal i32 @slopes_at.38(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @slopes_at.39(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.18 = alloca ptr, align 8
   store ptr null, ptr %.18, align 8
@@ -5031,7 +5088,7 @@ B0.if:
 
 B0.endif:
   store ptr null, ptr %.45, align 8
-  %.49 = call i32 @pull_residual.39(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.49 = call i32 @pull_residual.40(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.49, label %B0.endif.if [
     i32 -2, label %B0.endif.endif
     i32 0, label %B0.endif.endif
@@ -5050,7 +5107,7 @@ B0.endif.if:
 
 B0.endif.endif:
   store ptr null, ptr %.70, align 8
-  %.74 = call i32 @drives_bar.40(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
+  %.74 = call i32 @drives_bar.41(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
   switch i32 %.74, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
@@ -5068,7 +5125,7 @@ B0.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @pull_residual.39(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_residual.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.415 = alloca ptr, align 8
   store ptr null, ptr %.415, align 8
@@ -5102,7 +5159,7 @@ B586:
   %.401 = load i64, ptr %.400, align 8
   %.403 = getelementptr i32, ptr %arg.rows, i64 %.401
   store ptr null, ptr %.415, align 8
-  %.419 = call i32 @pull.41(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.419 = call i32 @pull.42(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.419, label %B586.if [
     i32 -2, label %B731
     i32 0, label %B731
@@ -5168,7 +5225,7 @@ B586.if:
   br label %common.ret
 }
 
-define internal i32 @drives_bar.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @drives_bar.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.198 = alloca ptr, align 8
   store ptr null, ptr %.198, align 8
@@ -5190,7 +5247,7 @@ B116:
   %.184 = getelementptr double, ptr %arg.weights, i64 %.45
   store double 0.000000e+00, ptr %.184, align 8
   store ptr null, ptr %.198, align 8
-  %.202 = call i32 @pull_drive.42(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.202 = call i32 @pull_drive.43(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.202, label %B116.if [
     i32 -2, label %B116.endif
     i32 0, label %B116.endif
@@ -5212,7 +5269,7 @@ B116.endif:
   br label %common.ret
 }
 
-define internal i32 @pull_drive.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_drive.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.190 = alloca ptr, align 8
   store ptr null, ptr %.190, align 8
@@ -5248,7 +5305,7 @@ B56.if:
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
   store ptr null, ptr %.190, align 8
-  %.194 = call i32 @pull.41(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.194 = call i32 @pull.42(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.194, label %B58.if [
     i32 -2, label %B58.endif
     i32 0, label %B58.endif
@@ -5267,7 +5324,7 @@ B58.endif:
   br i1 %exitcond.not, label %B266, label %B56.if
 }
 
-define internal i32 @pull.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.229 = alloca ptr, align 8
   store ptr null, ptr %.229, align 8
@@ -5402,11 +5459,11 @@ B626.if:
 define i64 @rates_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @rates_at.43(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
+  %1 = call i32 @rates_at.44(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
   ret i64 0
 }
 
-define internal i32 @rates_at.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @rates_at.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.20 = alloca ptr, align 8
   store ptr null, ptr %.20, align 8
@@ -5438,7 +5495,7 @@ B0.if:
 B0.endif:
   %.18 = getelementptr double, ptr %arg.Y_dot, i64 %.17
   store ptr null, ptr %.47, align 8
-  %.51 = call i32 @push_drive.44(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
+  %.51 = call i32 @push_drive.45(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
   switch i32 %.51, label %B0.endif.if [
     i32 -2, label %B0.endif.endif
     i32 0, label %B0.endif.endif
@@ -5457,7 +5514,7 @@ B0.endif.if:
 
 B0.endif.endif:
   store ptr null, ptr %.72, align 8
-  %.76 = call i32 @push_residual.45(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
+  %.76 = call i32 @push_residual.46(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.76, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
@@ -5475,7 +5532,7 @@ B0.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @push_drive.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_drive.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.319 = alloca ptr, align 8
   store ptr null, ptr %.319, align 8
@@ -5545,7 +5602,7 @@ B248.if:
   %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
   %.282 = add nuw nsw i64 %.213.0124, 1
   store ptr null, ptr %.319, align 8
-  %.323 = call i32 @push.46(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.323 = call i32 @push.47(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.323, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -5579,7 +5636,7 @@ B406.if:
   br i1 %.485, label %B456, label %B490
 }
 
-define internal i32 @push_residual.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_residual.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.657 = alloca ptr, align 8
   store ptr null, ptr %.657, align 8
@@ -5689,7 +5746,7 @@ B748.if:
   %.552.0166 = phi i64 [ %.621, %B750.endif.endif ], [ 0, %B624 ]
   %.621 = add nuw nsw i64 %.552.0166, 1
   store ptr null, ptr %.657, align 8
-  %.661 = call i32 @push.46(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.661 = call i32 @push.47(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.661, label %B750.if [
     i32 -2, label %B750.endif
     i32 0, label %B750.endif
@@ -5724,7 +5781,7 @@ B750.endif.endif:
   br i1 %exitcond.not, label %B881, label %B748.if
 }
 
-define internal i32 @push.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push.47(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.69 = alloca ptr, align 8
   store ptr null, ptr %.69, align 8
@@ -5813,1163 +5870,1216 @@ B396.if.lr.ph:
   br label %B430
 }
 
-define i64 @reverse(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31) {
+define i64 @reverse(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31, ptr %a32) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @reverse.47(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, ptr %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31)
+  %1 = call i32 @reverse.48(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31, ptr %a32)
   ret i64 0
 }
 
-define internal i32 @reverse.47(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
+define internal i32 @reverse.48(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, i64 %arg.step_length, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
 entry:
-  %.437 = alloca ptr, align 8
-  store ptr null, ptr %.437, align 8
+  %.502 = alloca ptr, align 8
+  store ptr null, ptr %.502, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.754 = alloca i64, align 8
-  store i64 0, ptr %.754, align 8
+  %.819 = alloca i64, align 8
+  store i64 0, ptr %.819, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.911 = alloca double, align 8
-  store double 0.000000e+00, ptr %.911, align 8
+  %.976 = alloca double, align 8
+  store double 0.000000e+00, ptr %.976, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.948 = alloca ptr, align 8
-  store ptr null, ptr %.948, align 8
+  %.1013 = alloca ptr, align 8
+  store ptr null, ptr %.1013, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.977 = alloca ptr, align 8
-  store ptr null, ptr %.977, align 8
+  %.1042 = alloca ptr, align 8
+  store ptr null, ptr %.1042, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.1121 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1121, align 8
+  %.1186 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1186, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.1152 = alloca ptr, align 8
-  store ptr null, ptr %.1152, align 8
+  %.1217 = alloca ptr, align 8
+  store ptr null, ptr %.1217, align 8
   %excinfo.7 = alloca ptr, align 8
   store ptr null, ptr %excinfo.7, align 8
-  %.1189 = alloca ptr, align 8
-  store ptr null, ptr %.1189, align 8
+  %.1254 = alloca ptr, align 8
+  store ptr null, ptr %.1254, align 8
   %excinfo.8 = alloca ptr, align 8
   store ptr null, ptr %excinfo.8, align 8
-  %.1217 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1217, align 8
+  %.1282 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1282, align 8
   %excinfo.9 = alloca ptr, align 8
   store ptr null, ptr %excinfo.9, align 8
-  %.1300 = alloca ptr, align 8
-  store ptr null, ptr %.1300, align 8
+  %.1365 = alloca ptr, align 8
+  store ptr null, ptr %.1365, align 8
   %excinfo.10 = alloca ptr, align 8
   store ptr null, ptr %excinfo.10, align 8
-  %.1482 = alloca ptr, align 8
-  store ptr null, ptr %.1482, align 8
+  %.1547 = alloca ptr, align 8
+  store ptr null, ptr %.1547, align 8
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
-  %.1514 = alloca ptr, align 8
-  store ptr null, ptr %.1514, align 8
+  %.1579 = alloca ptr, align 8
+  store ptr null, ptr %.1579, align 8
   %excinfo.12 = alloca ptr, align 8
   store ptr null, ptr %excinfo.12, align 8
-  %.1560 = alloca ptr, align 8
-  store ptr null, ptr %.1560, align 8
+  %.1625 = alloca ptr, align 8
+  store ptr null, ptr %.1625, align 8
   %excinfo.13 = alloca ptr, align 8
   store ptr null, ptr %excinfo.13, align 8
-  %.1715 = alloca ptr, align 8
-  store ptr null, ptr %.1715, align 8
+  %.1780 = alloca ptr, align 8
+  store ptr null, ptr %.1780, align 8
   %excinfo.14 = alloca ptr, align 8
   store ptr null, ptr %excinfo.14, align 8
-  %.1755 = alloca ptr, align 8
-  store ptr null, ptr %.1755, align 8
+  %.1820 = alloca ptr, align 8
+  store ptr null, ptr %.1820, align 8
   %excinfo.15 = alloca ptr, align 8
   store ptr null, ptr %excinfo.15, align 8
-  %.1791 = alloca ptr, align 8
-  store ptr null, ptr %.1791, align 8
+  %.1856 = alloca ptr, align 8
+  store ptr null, ptr %.1856, align 8
   %excinfo.16 = alloca ptr, align 8
   store ptr null, ptr %excinfo.16, align 8
-  %.1823 = alloca ptr, align 8
-  store ptr null, ptr %.1823, align 8
+  %.1888 = alloca ptr, align 8
+  store ptr null, ptr %.1888, align 8
   %excinfo.17 = alloca ptr, align 8
   store ptr null, ptr %excinfo.17, align 8
-  %.1852 = alloca ptr, align 8
-  store ptr null, ptr %.1852, align 8
+  %.1917 = alloca ptr, align 8
+  store ptr null, ptr %.1917, align 8
   %excinfo.18 = alloca ptr, align 8
   store ptr null, ptr %excinfo.18, align 8
-  %.2179 = alloca ptr, align 8
-  store ptr null, ptr %.2179, align 8
+  %.2244 = alloca ptr, align 8
+  store ptr null, ptr %.2244, align 8
   %excinfo.19 = alloca ptr, align 8
   store ptr null, ptr %excinfo.19, align 8
-  %.2213 = alloca ptr, align 8
-  store ptr null, ptr %.2213, align 8
+  %.2278 = alloca ptr, align 8
+  store ptr null, ptr %.2278, align 8
   %excinfo.20 = alloca ptr, align 8
   store ptr null, ptr %excinfo.20, align 8
-  %.2251 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2251, align 8
+  %.2316 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2316, align 8
   %excinfo.21 = alloca ptr, align 8
   store ptr null, ptr %excinfo.21, align 8
-  %.2303 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2303, align 8
+  %.2368 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2368, align 8
   %excinfo.22 = alloca ptr, align 8
   store ptr null, ptr %excinfo.22, align 8
-  %.2342 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2342, align 8
+  %.2407 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2407, align 8
   %excinfo.23 = alloca ptr, align 8
   store ptr null, ptr %excinfo.23, align 8
-  %.2383 = alloca ptr, align 8
-  store ptr null, ptr %.2383, align 8
+  %.2448 = alloca ptr, align 8
+  store ptr null, ptr %.2448, align 8
   %excinfo.24 = alloca ptr, align 8
   store ptr null, ptr %excinfo.24, align 8
-  %.3138 = alloca ptr, align 8
-  store ptr null, ptr %.3138, align 8
+  %.3203 = alloca ptr, align 8
+  store ptr null, ptr %.3203, align 8
   %excinfo.25 = alloca ptr, align 8
   store ptr null, ptr %excinfo.25, align 8
-  %.3180 = alloca ptr, align 8
-  store ptr null, ptr %.3180, align 8
+  %.3245 = alloca ptr, align 8
+  store ptr null, ptr %.3245, align 8
   %excinfo.26 = alloca ptr, align 8
   store ptr null, ptr %excinfo.26, align 8
-  %.3343 = alloca ptr, align 8
-  store ptr null, ptr %.3343, align 8
+  %.3408 = alloca ptr, align 8
+  store ptr null, ptr %.3408, align 8
   %excinfo.27 = alloca ptr, align 8
   store ptr null, ptr %excinfo.27, align 8
-  %.3379 = alloca ptr, align 8
-  store ptr null, ptr %.3379, align 8
+  %.3444 = alloca ptr, align 8
+  store ptr null, ptr %.3444, align 8
   %excinfo.28 = alloca ptr, align 8
   store ptr null, ptr %excinfo.28, align 8
-  %.3415 = alloca ptr, align 8
-  store ptr null, ptr %.3415, align 8
+  %.3480 = alloca ptr, align 8
+  store ptr null, ptr %.3480, align 8
   %excinfo.29 = alloca ptr, align 8
   store ptr null, ptr %excinfo.29, align 8
-  %.3454 = alloca ptr, align 8
-  store ptr null, ptr %.3454, align 8
+  %.3519 = alloca ptr, align 8
+  store ptr null, ptr %.3519, align 8
   %excinfo.30 = alloca ptr, align 8
   store ptr null, ptr %excinfo.30, align 8
-  %.3482 = alloca ptr, align 8
-  store ptr null, ptr %.3482, align 8
+  %.3547 = alloca ptr, align 8
+  store ptr null, ptr %.3547, align 8
   %excinfo.31 = alloca ptr, align 8
   store ptr null, ptr %excinfo.31, align 8
-  %.98 = load i64, ptr %arg.layout, align 8
-  %.100 = getelementptr i8, ptr %arg.layout, i64 16
-  %.101 = load i64, ptr %.100, align 8
-  %.109 = getelementptr i8, ptr %arg.layout, i64 8
-  %.110 = load i64, ptr %.109, align 8
-  %.114 = getelementptr i8, ptr %arg.layout, i64 24
-  %.115 = load i64, ptr %.114, align 8
-  %.123 = add i64 %.101, 1
-  %.125 = add i64 %.115, %.123
-  %.131 = shl nsw i64 %.98, 3
-  %.132 = getelementptr double, ptr %arg.work, i64 %.131
-  %.141.idx = mul i64 %.98, 136
-  %.141 = getelementptr i8, ptr %arg.work, i64 %.141.idx
-  %.144.idx = mul i64 %.98, 200
+  %.101 = load i64, ptr %arg.layout, align 8
+  %.103 = getelementptr i8, ptr %arg.layout, i64 16
+  %.104 = load i64, ptr %.103, align 8
+  %.112 = getelementptr i8, ptr %arg.layout, i64 8
+  %.113 = load i64, ptr %.112, align 8
+  %.117 = getelementptr i8, ptr %arg.layout, i64 24
+  %.118 = load i64, ptr %.117, align 8
+  %.126 = add i64 %.104, 1
+  %.128 = add i64 %.118, %.126
+  %.134 = shl nsw i64 %.101, 3
+  %.135 = getelementptr double, ptr %arg.work, i64 %.134
+  %.144.idx = mul i64 %.101, 136
   %.144 = getelementptr i8, ptr %arg.work, i64 %.144.idx
-  %.153.idx = mul i64 %.98, 264
-  %.153 = getelementptr i8, ptr %arg.work, i64 %.153.idx
-  %.idx = mul i64 %.98, 272
+  %.147.idx = mul i64 %.101, 200
+  %.147 = getelementptr i8, ptr %arg.work, i64 %.147.idx
+  %.156.idx = mul i64 %.101, 264
+  %.156 = getelementptr i8, ptr %arg.work, i64 %.156.idx
+  %.idx = mul i64 %.101, 272
   %0 = getelementptr i8, ptr %arg.work, i64 %.idx
-  %.157 = getelementptr i8, ptr %0, i64 8
-  %.idx650 = mul i64 %.98, 280
-  %1 = getelementptr i8, ptr %arg.work, i64 %.idx650
-  %.161 = getelementptr i8, ptr %1, i64 8
-  %.idx651 = mul i64 %.98, 288
-  %2 = getelementptr i8, ptr %arg.work, i64 %.idx651
-  %.174 = getelementptr i8, ptr %2, i64 8
-  %.idx652 = mul i64 %.98, 296
-  %3 = getelementptr i8, ptr %arg.work, i64 %.idx652
-  %.178 = getelementptr i8, ptr %3, i64 8
-  %.idx653 = mul i64 %.98, 304
-  %4 = getelementptr i8, ptr %arg.work, i64 %.idx653
-  %.188 = getelementptr i8, ptr %4, i64 8
-  %.195.idx = shl i64 %arg.blocks, 5
-  %.195 = getelementptr i8, ptr %.188, i64 %.195.idx
-  %.202.idx = shl i64 %arg.blocks, 4
-  %.202 = getelementptr i8, ptr %.195, i64 %.202.idx
-  %.208 = getelementptr double, ptr %.202, i64 %.101
-  %.214 = getelementptr double, ptr %.208, i64 %.125
-  %.220 = getelementptr double, ptr %.214, i64 %.125
-  %.227 = add nsw i64 %.110, 1
-  %.229 = getelementptr double, ptr %.220, i64 %.227
-  %.238 = getelementptr double, ptr %.229, i64 %.227
-  %.243 = getelementptr i8, ptr %arg.layout, i64 56
-  %.244 = load i64, ptr %.243, align 8
-  %.246 = getelementptr double, ptr %.238, i64 %.244
-  %.336953 = icmp sgt i64 %arg.step_count, 0
-  br i1 %.336953, label %B918.lr.ph, label %B4338
+  %.160 = getelementptr i8, ptr %0, i64 8
+  %.idx651 = mul i64 %.101, 280
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx651
+  %.164 = getelementptr i8, ptr %1, i64 8
+  %.idx652 = mul i64 %.101, 288
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx652
+  %.177 = getelementptr i8, ptr %2, i64 8
+  %.idx653 = mul i64 %.101, 296
+  %3 = getelementptr i8, ptr %arg.work, i64 %.idx653
+  %.181 = getelementptr i8, ptr %3, i64 8
+  %.idx654 = mul i64 %.101, 304
+  %4 = getelementptr i8, ptr %arg.work, i64 %.idx654
+  %.191 = getelementptr i8, ptr %4, i64 8
+  %.198.idx = shl i64 %arg.blocks, 5
+  %.198 = getelementptr i8, ptr %.191, i64 %.198.idx
+  %.205.idx = shl i64 %arg.blocks, 4
+  %.205 = getelementptr i8, ptr %.198, i64 %.205.idx
+  %.211 = getelementptr double, ptr %.205, i64 %.104
+  %.217 = getelementptr double, ptr %.211, i64 %.128
+  %.223 = getelementptr double, ptr %.217, i64 %.128
+  %.230 = add nsw i64 %.113, 1
+  %.232 = getelementptr double, ptr %.223, i64 %.230
+  %.241 = getelementptr double, ptr %.232, i64 %.230
+  %.246 = getelementptr i8, ptr %arg.layout, i64 56
+  %.247 = load i64, ptr %.246, align 8
+  %.249 = getelementptr double, ptr %.241, i64 %.247
+  %.339954 = icmp sgt i64 %arg.step_count, 0
+  br i1 %.339954, label %B918.lr.ph, label %B4378
 
 B918.lr.ph:
-  %.280.1956 = add nsw i64 %arg.step_count, -1
-  %.112 = add i64 %.110, %.98
-  %.378 = add nsw i64 %arg.step_count, -1
-  %.382 = add nsw i64 %.98, 3
-  %.464 = getelementptr double, ptr %.132, i64 %.131
-  %.517 = icmp sgt i64 %.98, 0
-  %storemerge654 = select i1 %.517, i64 %.131, i64 0
-  %.559904 = icmp sgt i64 %storemerge654, 0
-  %.1297.idx = mul i64 %.98, 56
-  %.1297 = getelementptr i8, ptr %.141, i64 %.1297.idx
-  %.1325 = getelementptr i8, ptr %arg.method, i64 1344
-  %.1549 = getelementptr double, ptr %arg.Y, i64 %.112
-  %5 = call i64 @llvm.smax.i64(i64 %.112, i64 -1)
-  %storemerge662 = add i64 %5, 1
-  %.1665918 = icmp sgt i64 %.112, -1
-  %.1741 = getelementptr double, ptr %.153, i64 %.98
-  %.1883 = getelementptr double, ptr %arg.Y_bar, i64 %.112
-  %.1984921.not = icmp slt i64 %.98, 1
-  %storemerge657 = call i64 @llvm.smax.i64(i64 %.125, i64 0)
-  %.2498933.not = icmp slt i64 %.125, 1
-  %.2624941.not = icmp slt i64 %arg.entry_count, 1
-  %.3044947.not = icmp slt i64 %.115, 1
-  %.3167 = getelementptr double, ptr %arg.Y, i64 %.112
-  %.3285950 = icmp sgt i64 %.112, -1
-  %.3441 = getelementptr double, ptr %arg.Y_bar, i64 %.112
-  %.3510 = getelementptr i8, ptr %arg.ends_bar, i64 8
-  %6 = shl nuw i64 %storemerge654, 3
+  %.283.1957 = add nsw i64 %arg.step_count, -1
+  %.115 = add i64 %.113, %.101
+  %.381 = add nsw i64 %arg.step_count, -1
+  %.529 = getelementptr double, ptr %.135, i64 %.134
+  %.582 = icmp sgt i64 %.101, 0
+  %storemerge655 = select i1 %.582, i64 %.134, i64 0
+  %.624905 = icmp sgt i64 %storemerge655, 0
+  %.1362.idx = mul i64 %.101, 56
+  %.1362 = getelementptr i8, ptr %.144, i64 %.1362.idx
+  %.1390 = getelementptr i8, ptr %arg.method, i64 1344
+  %.1614 = getelementptr double, ptr %arg.Y, i64 %.115
+  %5 = call i64 @llvm.smax.i64(i64 %.115, i64 -1)
+  %storemerge663 = add i64 %5, 1
+  %.1730919 = icmp sgt i64 %.115, -1
+  %.1806 = getelementptr double, ptr %.156, i64 %.101
+  %.1948 = getelementptr double, ptr %arg.Y_bar, i64 %.115
+  %.2049922.not = icmp slt i64 %.101, 1
+  %storemerge658 = call i64 @llvm.smax.i64(i64 %.128, i64 0)
+  %.2563934.not = icmp slt i64 %.128, 1
+  %.2689942.not = icmp slt i64 %arg.entry_count, 1
+  %.3109948.not = icmp slt i64 %.118, 1
+  %.3232 = getelementptr double, ptr %arg.Y, i64 %.115
+  %.3350951 = icmp sgt i64 %.115, -1
+  %.3506 = getelementptr double, ptr %arg.Y_bar, i64 %.115
+  %.3575 = getelementptr i8, ptr %arg.ends_bar, i64 8
+  %6 = shl nuw i64 %storemerge655, 3
   %7 = add i64 %5, 2
-  %smin = call i64 @llvm.smin.i64(i64 %storemerge662, i64 1)
+  %smin = call i64 @llvm.smin.i64(i64 %storemerge663, i64 1)
   %8 = sub i64 %7, %smin
   %9 = shl nuw i64 %8, 3
   %10 = mul i64 %arg.blocks, 48
-  %11 = shl i64 %.101, 4
-  %12 = shl i64 %.115, 3
-  %13 = getelementptr i8, ptr %arg.work, i64 %.idx653
+  %11 = shl i64 %.104, 4
+  %12 = shl i64 %.118, 3
+  %13 = getelementptr i8, ptr %arg.work, i64 %.idx654
   %14 = getelementptr i8, ptr %13, i64 %10
   %15 = getelementptr i8, ptr %14, i64 %11
   %16 = getelementptr i8, ptr %15, i64 %12
   %scevgep = getelementptr i8, ptr %16, i64 16
-  %17 = shl nuw i64 %storemerge657, 3
+  %17 = shl nuw i64 %storemerge658, 3
   %18 = mul i64 %arg.blocks, 48
-  %19 = mul i64 %.101, 24
-  %20 = shl i64 %.115, 4
-  %21 = shl i64 %.110, 3
-  %22 = getelementptr i8, ptr %arg.work, i64 %.idx653
+  %19 = mul i64 %.104, 24
+  %20 = shl i64 %.118, 4
+  %21 = shl i64 %.113, 3
+  %22 = getelementptr i8, ptr %arg.work, i64 %.idx654
   %23 = getelementptr i8, ptr %22, i64 %18
   %24 = getelementptr i8, ptr %23, i64 %19
   %25 = getelementptr i8, ptr %24, i64 %20
   %26 = getelementptr i8, ptr %25, i64 %21
-  %scevgep1196 = getelementptr i8, ptr %26, i64 32
+  %scevgep1197 = getelementptr i8, ptr %26, i64 32
   %27 = add i64 %5, 2
-  %smin1199 = call i64 @llvm.smin.i64(i64 %storemerge662, i64 1)
-  %28 = sub i64 %27, %smin1199
+  %smin1200 = call i64 @llvm.smin.i64(i64 %storemerge663, i64 1)
+  %28 = sub i64 %27, %smin1200
   %29 = shl nuw i64 %28, 3
   br label %B918
 
 B918:
-  %.326.sroa.0.0960 = phi i64 [ 0, %B918.lr.ph ], [ %.326.sroa.0.0, %B4334 ]
-  %.280.1959 = phi i64 [ %.280.1956, %B918.lr.ph ], [ %.280.1, %B4334 ]
-  %.277.1958 = phi i64 [ 1, %B918.lr.ph ], [ %.277.1, %B4334 ]
-  %stop.2.0957 = phi i64 [ %arg.edge_count, %B918.lr.ph ], [ %.768, %B4334 ]
-  %.380 = sub nsw i64 %.378, %.326.sroa.0.0960
-  %.383 = mul nsw i64 %.380, %.382
-  %.385 = getelementptr double, ptr %arg.record, i64 %.383
-  %.391 = load double, ptr %.385, align 8
-  %.393 = getelementptr i8, ptr %.385, i64 8
-  %.394 = load double, ptr %.393, align 8
-  %.396 = getelementptr i8, ptr %.385, i64 24
-  store ptr null, ptr %.437, align 8
-  %.441 = call i32 @replay.48(ptr nonnull %.437, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.385, ptr %arg.Y, ptr %arg.work, ptr %.132, ptr %.208, ptr %.220, ptr %.161, ptr %.202, ptr %.153, ptr %.157, ptr %.188, ptr %.195, ptr %.238, ptr %.246)
-  switch i32 %.441, label %B918.if [
+  %.329.sroa.0.0961 = phi i64 [ 0, %B918.lr.ph ], [ %.329.sroa.0.0, %B4374 ]
+  %.283.1960 = phi i64 [ %.283.1957, %B918.lr.ph ], [ %.283.1, %B4374 ]
+  %.280.1959 = phi i64 [ 1, %B918.lr.ph ], [ %.280.1, %B4374 ]
+  %stop.2.0958 = phi i64 [ %arg.edge_count, %B918.lr.ph ], [ %.833, %B4374 ]
+  %.383 = sub nsw i64 %.381, %.329.sroa.0.0961
+  %.385 = mul nsw i64 %.383, %arg.step_length
+  %.387 = getelementptr double, ptr %arg.record, i64 %.385
+  %.393 = load double, ptr %.387, align 8
+  %.395 = getelementptr i8, ptr %.387, i64 8
+  %.396 = load double, ptr %.395, align 8
+  %.398 = getelementptr i8, ptr %.387, i64 24
+  store ptr null, ptr %.502, align 8
+  %.506 = call i32 @replay.49(ptr nonnull %.502, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.387, i64 %arg.step_length, ptr %arg.Y, ptr %arg.work, ptr %.135, ptr %.211, ptr %.223, ptr %.164, ptr %.205, ptr %.156, ptr %.160, ptr %.191, ptr %.198, ptr %.241, ptr %.249)
+  switch i32 %.506, label %B918.if [
     i32 -2, label %B918.endif
     i32 0, label %B918.endif
   ]
 
-B1268:
-  br i1 %.517, label %B1298.if, label %B1326
+B1308:
+  br i1 %.582, label %B1338.if, label %B1366
 
-B1326:
-  store i64 0, ptr %.754, align 8
-  %.758 = call i32 @first_edge_in.49(ptr nonnull %.754, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0957, double %.391)
-  %.768 = load i64, ptr %.754, align 8
-  switch i32 %.758, label %B1326.if [
-    i32 -2, label %B1326.endif
-    i32 0, label %B1326.endif
+B1366:
+  store i64 0, ptr %.819, align 8
+  %.823 = call i32 @first_edge_in.50(ptr nonnull %.819, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0958, double %.393)
+  %.833 = load i64, ptr %.819, align 8
+  switch i32 %.823, label %B1366.if [
+    i32 -2, label %B1366.endif
+    i32 0, label %B1366.endif
   ]
 
-B1706:
-  store ptr null, ptr %.1189, align 8
-  %.1193 = call i32 @dense_rate.50(ptr nonnull %.1189, ptr nonnull %excinfo.8, i64 %.98, ptr %arg.method, double %.925, ptr %.396, ptr %.464, ptr %arg.work, ptr %.153)
-  switch i32 %.1193, label %B1706.if [
-    i32 -2, label %B1706.endif
-    i32 0, label %B1706.endif
+B1746:
+  store ptr null, ptr %.1254, align 8
+  %.1258 = call i32 @dense_rate.51(ptr nonnull %.1254, ptr nonnull %excinfo.8, i64 %.101, ptr %arg.method, double %.990, ptr %.398, ptr %.529, ptr %arg.work, ptr %.156)
+  switch i32 %.1258, label %B1746.if [
+    i32 -2, label %B1746.endif
+    i32 0, label %B1746.endif
   ]
 
-B1822:
-  %h_bar.6.1.lcssa = phi double [ 0.000000e+00, %B1326.endif ], [ %.1253, %B1706.endif.endif ]
-  %time_bar.4.1.lcssa = phi double [ 0.000000e+00, %B1326.endif ], [ %.1262, %B1706.endif.endif ]
-  store ptr null, ptr %.1300, align 8
-  %.1304 = call i32 @add_scaled.29(ptr nonnull %.1300, ptr nonnull %excinfo.10, i64 %.98, double 1.000000e+00, ptr %arg.y_bar, ptr %.1297)
-  switch i32 %.1304, label %B1822.if [
-    i32 -2, label %B1822.endif
-    i32 0, label %B1822.endif
+B1862:
+  %h_bar.6.1.lcssa = phi double [ 0.000000e+00, %B1366.endif ], [ %.1318, %B1746.endif.endif ]
+  %time_bar.4.1.lcssa = phi double [ 0.000000e+00, %B1366.endif ], [ %.1327, %B1746.endif.endif ]
+  store ptr null, ptr %.1365, align 8
+  %.1369 = call i32 @add_scaled.29(ptr nonnull %.1365, ptr nonnull %excinfo.10, i64 %.101, double 1.000000e+00, ptr %arg.y_bar, ptr %.1362)
+  switch i32 %.1369, label %B1862.if [
+    i32 -2, label %B1862.endif
+    i32 0, label %B1862.endif
   ]
 
-B2356:
-  store ptr null, ptr %.1715, align 8
-  %.1719 = call i32 @copy.27(ptr nonnull %.1715, ptr nonnull %excinfo.14, i64 %.98, ptr %.1463, ptr %.153)
-  switch i32 %.1719, label %B2356.if [
-    i32 -2, label %B2356.endif
-    i32 0, label %B2356.endif
+B2396:
+  store ptr null, ptr %.1780, align 8
+  %.1784 = call i32 @copy.27(ptr nonnull %.1780, ptr nonnull %excinfo.14, i64 %.101, ptr %.1528, ptr %.156)
+  switch i32 %.1784, label %B2396.if [
+    i32 -2, label %B2396.endif
+    i32 0, label %B2396.endif
   ]
 
-B2528:
-  store ptr null, ptr %.1823, align 8
-  %.1827 = call i32 @add_scaled.29(ptr nonnull %.1823, ptr nonnull %excinfo.17, i64 %.98, double 1.000000e+00, ptr %arg.y_bar, ptr %arg.Y_bar)
-  switch i32 %.1827, label %B2528.if [
-    i32 -2, label %B2564
-    i32 0, label %B2564
+B2568:
+  store ptr null, ptr %.1888, align 8
+  %.1892 = call i32 @add_scaled.29(ptr nonnull %.1888, ptr nonnull %excinfo.17, i64 %.101, double 1.000000e+00, ptr %arg.y_bar, ptr %arg.Y_bar)
+  switch i32 %.1892, label %B2568.if [
+    i32 -2, label %B2604
+    i32 0, label %B2604
   ]
 
-B2564:
-  store ptr null, ptr %.1852, align 8
-  %.1856 = call i32 @add_scaled.29(ptr nonnull %.1852, ptr nonnull %excinfo.18, i64 %.98, double 1.000000e+00, ptr %arg.Y_bar, ptr %.178)
-  switch i32 %.1856, label %B2564.if [
-    i32 -2, label %B2564.endif
-    i32 0, label %B2564.endif
+B2604:
+  store ptr null, ptr %.1917, align 8
+  %.1921 = call i32 @add_scaled.29(ptr nonnull %.1917, ptr nonnull %excinfo.18, i64 %.101, double 1.000000e+00, ptr %arg.Y_bar, ptr %.181)
+  switch i32 %.1921, label %B2604.if [
+    i32 -2, label %B2604.endif
+    i32 0, label %B2604.endif
   ]
 
-B2760:
-  %.2086 = icmp samesign ugt i64 %.1359.0929, 6
-  br i1 %.2086, label %B3096, label %B2790.if.lr.ph
+B2800:
+  %.2151 = icmp samesign ugt i64 %.1424.0930, 6
+  br i1 %.2151, label %B3136, label %B2830.if.lr.ph
 
-B2790.if.lr.ph:
-  %.idx665 = shl nuw nsw i64 %35, 6
-  %30 = getelementptr i8, ptr %arg.method, i64 %.idx665
+B2830.if.lr.ph:
+  %.idx666 = shl nuw nsw i64 %35, 6
+  %30 = getelementptr i8, ptr %arg.method, i64 %.idx666
   %31 = getelementptr i8, ptr %30, i64 512
-  br label %B2790.if
+  br label %B2830.if
 
-B3096:
-  %h_bar.8.2.lcssa = phi double [ %.1887, %B2760 ], [ %.2282, %B2792.endif.endif.endif ]
-  %.2300 = getelementptr double, ptr %arg.work, i64 %.1461
-  store double 0.000000e+00, ptr %.2303, align 8
-  %.2307 = call i32 @dot.51(ptr nonnull %.2303, ptr nonnull %excinfo.22, i64 %.98, ptr %.157, ptr %.2300)
-  switch i32 %.2307, label %B3096.if [
-    i32 -2, label %B3096.endif
-    i32 0, label %B3096.endif
+B3136:
+  %h_bar.8.2.lcssa = phi double [ %.1952, %B2800 ], [ %.2347, %B2832.endif.endif.endif ]
+  %.2365 = getelementptr double, ptr %arg.work, i64 %.1526
+  store double 0.000000e+00, ptr %.2368, align 8
+  %.2372 = call i32 @dot.52(ptr nonnull %.2368, ptr nonnull %excinfo.22, i64 %.101, ptr %.160, ptr %.2365)
+  switch i32 %.2372, label %B3136.if [
+    i32 -2, label %B3136.endif
+    i32 0, label %B3136.endif
   ]
 
-B3324:
-  br i1 %.2498933.not, label %B3370, label %B3354.if.preheader
+B3364:
+  br i1 %.2563934.not, label %B3410, label %B3394.if.preheader
 
-B3354.if.preheader:
+B3394.if.preheader:
   call void @llvm.memset.p0.i64(ptr align 8 %scevgep, i8 0, i64 %17, i1 false)
-  br label %B3370
+  br label %B3410
 
-B3370:
-  br i1 %.2624941.not, label %B3566, label %B3400.if
+B3410:
+  br i1 %.2689942.not, label %B3606, label %B3440.if
 
-B3542:
-  %.2637 = add nuw nsw i64 %.2568.0942, 1
-  %.2819 = getelementptr i32, ptr %arg.entry_places, i64 %.2568.0942
-  %.2820 = load i32, ptr %.2819, align 4
-  %.2825 = sext i32 %.2820 to i64
-  %.2826 = getelementptr double, ptr %.214, i64 %.2825
-  store double %.2809, ptr %.2826, align 8
-  %exitcond1195.not = icmp eq i64 %arg.entry_count, %.2637
-  br i1 %exitcond1195.not, label %B3566, label %B3400.if
+B3582:
+  %.2702 = add nuw nsw i64 %.2633.0943, 1
+  %.2884 = getelementptr i32, ptr %arg.entry_places, i64 %.2633.0943
+  %.2885 = load i32, ptr %.2884, align 4
+  %.2890 = sext i32 %.2885 to i64
+  %.2891 = getelementptr double, ptr %.217, i64 %.2890
+  store double %.2874, ptr %.2891, align 8
+  %exitcond1196.not = icmp eq i64 %arg.entry_count, %.2702
+  br i1 %exitcond1196.not, label %B3606, label %B3440.if
 
-B3566:
-  %.2837 = load i64, ptr %.109, align 8
-  %.2918944 = icmp sgt i64 %.2837, -1
-  br i1 %.2918944, label %B3624.if.preheader, label %B3640
+B3606:
+  %.2902 = load i64, ptr %.112, align 8
+  %.2983945 = icmp sgt i64 %.2902, -1
+  br i1 %.2983945, label %B3664.if.preheader, label %B3680
 
-B3624.if.preheader:
-  %storemerge659 = add nuw i64 %.2837, 1
-  %32 = add nuw i64 %.2837, 2
-  %smin1197 = call i64 @llvm.smin.i64(i64 %storemerge659, i64 1)
-  %33 = sub i64 %32, %smin1197
+B3664.if.preheader:
+  %storemerge660 = add nuw i64 %.2902, 1
+  %32 = add nuw i64 %.2902, 2
+  %smin1198 = call i64 @llvm.smin.i64(i64 %storemerge660, i64 1)
+  %33 = sub i64 %32, %smin1198
   %34 = shl nuw i64 %33, 3
-  call void @llvm.memset.p0.i64(ptr align 8 %scevgep1196, i8 0, i64 %34, i1 false)
-  br label %B3640
+  call void @llvm.memset.p0.i64(ptr align 8 %scevgep1197, i8 0, i64 %34, i1 false)
+  br label %B3680
 
-B3640:
-  br i1 %.3044947.not, label %B3850, label %B3670.if
+B3680:
+  br i1 %.3109948.not, label %B3890, label %B3710.if
 
-B3850:
-  store ptr null, ptr %.3138, align 8
-  %.3142 = call i32 @copy.27(ptr nonnull %.3138, ptr nonnull %excinfo.25, i64 %.98, ptr %.396, ptr %arg.Y)
-  switch i32 %.3142, label %B3850.if [
-    i32 -2, label %B3850.endif
-    i32 0, label %B3850.endif
+B3890:
+  store ptr null, ptr %.3203, align 8
+  %.3207 = call i32 @copy.27(ptr nonnull %.3203, ptr nonnull %excinfo.25, i64 %.101, ptr %.398, ptr %arg.Y)
+  switch i32 %.3207, label %B3890.if [
+    i32 -2, label %B3890.endif
+    i32 0, label %B3890.endif
   ]
 
-B3990:
-  store ptr null, ptr %.3343, align 8
-  %.3347 = call i32 @pull_drive.52(ptr nonnull %.3343, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.229, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
-  switch i32 %.3347, label %B3990.if [
-    i32 -2, label %B3990.endif
-    i32 0, label %B3990.endif
+B4030:
+  store ptr null, ptr %.3408, align 8
+  %.3412 = call i32 @pull_drive.53(ptr nonnull %.3408, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.232, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
+  switch i32 %.3412, label %B4030.if [
+    i32 -2, label %B4030.endif
+    i32 0, label %B4030.endif
   ]
 
-B4246:
-  %.3511 = load double, ptr %.3510, align 8
-  %.3513 = fadd contract double %.2367, %.3511
-  store double %.3513, ptr %.3510, align 8
-  br label %B4278
+B4286:
+  %.3576 = load double, ptr %.3575, align 8
+  %.3578 = fadd contract double %.2432, %.3576
+  store double %.3578, ptr %.3575, align 8
+  br label %B4318
 
-B4278:
-  %.3521 = icmp eq i64 %.326.sroa.0.0960, %.378
-  br i1 %.3521, label %B4296, label %B4334
+B4318:
+  %.3586 = icmp eq i64 %.329.sroa.0.0961, %.381
+  br i1 %.3586, label %B4336, label %B4374
 
-B4296:
-  %.3527 = load double, ptr %arg.ends_bar, align 8
-  %.3530 = fsub contract double %.3444, %.2367
-  %.3535 = fadd contract double %.3530, %.3527
-  store double %.3535, ptr %arg.ends_bar, align 8
-  br label %B4334
+B4336:
+  %.3592 = load double, ptr %arg.ends_bar, align 8
+  %.3595 = fsub contract double %.3509, %.2432
+  %.3600 = fadd contract double %.3595, %.3592
+  store double %.3600, ptr %arg.ends_bar, align 8
+  br label %B4374
 
-B4334:
-  %.336 = icmp sgt i64 %.280.1959, 0
-  %.349 = zext i1 %.336 to i64
-  %.277.1 = add i64 %.277.1958, %.349
-  %.345 = sext i1 %.336 to i64
-  %.280.1 = add nsw i64 %.280.1959, %.345
-  %.326.sroa.0.0 = select i1 %.336, i64 %.277.1958, i64 0
-  br i1 %.336, label %B918, label %B4338
+B4374:
+  %.339 = icmp sgt i64 %.283.1960, 0
+  %.352 = zext i1 %.339 to i64
+  %.280.1 = add i64 %.280.1959, %.352
+  %.348 = sext i1 %.339 to i64
+  %.283.1 = add nsw i64 %.283.1960, %.348
+  %.329.sroa.0.0 = select i1 %.339, i64 %.280.1959, i64 0
+  br i1 %.339, label %B918, label %B4378
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B4338 ], [ %.3486, %B3990.endif.endif.endif.endif.if ], [ %.3458, %B3990.endif.endif.endif.if ], [ %.3419, %B3990.endif.endif.if ], [ %.3383, %B3990.endif.if ], [ %.441, %B918.if ], [ %.3347, %B3990.if ], [ %.758, %B1326.if ], [ %.915, %B1394.if ], [ %.952, %B1394.endif.if ], [ %.3184, %B3850.endif.if ], [ %.981, %B1394.endif.endif.if ], [ %.1125, %B1598.if ], [ %.1156, %B1598.endif.if ], [ %.1193, %B1706.if ], [ %.1221, %B1706.endif.if ], [ %.2307, %B3096.if ], [ %.1304, %B1822.if ], [ %.1486, %B1994.if ], [ %.1518, %B1994.endif.if ], [ %.3142, %B3850.if ], [ %.1564, %B1994.endif.endif.if ], [ %.1719, %B2356.if ], [ %.1759, %B2356.endif.if ], [ %.1795, %B2356.endif.endif.if ], [ %.1827, %B2528.if ], [ %.2387, %B3096.endif.endif.if ], [ %.2346, %B3096.endif.if ], [ %.1856, %B2564.if ], [ %.2183, %B2792.if ], [ %.2217, %B2792.endif.if ], [ %.2255, %B2792.endif.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B4378 ], [ %.3551, %B4030.endif.endif.endif.endif.if ], [ %.3523, %B4030.endif.endif.endif.if ], [ %.3484, %B4030.endif.endif.if ], [ %.3448, %B4030.endif.if ], [ %.506, %B918.if ], [ %.3412, %B4030.if ], [ %.823, %B1366.if ], [ %.980, %B1434.if ], [ %.1017, %B1434.endif.if ], [ %.3249, %B3890.endif.if ], [ %.1046, %B1434.endif.endif.if ], [ %.1190, %B1638.if ], [ %.1221, %B1638.endif.if ], [ %.1258, %B1746.if ], [ %.1286, %B1746.endif.if ], [ %.2372, %B3136.if ], [ %.1369, %B1862.if ], [ %.1551, %B2034.if ], [ %.1583, %B2034.endif.if ], [ %.3207, %B3890.if ], [ %.1629, %B2034.endif.endif.if ], [ %.1784, %B2396.if ], [ %.1824, %B2396.endif.if ], [ %.1860, %B2396.endif.endif.if ], [ %.1892, %B2568.if ], [ %.2452, %B3136.endif.endif.if ], [ %.2411, %B3136.endif.if ], [ %.1921, %B2604.if ], [ %.2248, %B2832.if ], [ %.2282, %B2832.endif.if ], [ %.2320, %B2832.endif.endif.if ]
   ret i32 %common.ret.op
 
-B4338:
+B4378:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
 B918.if:
-  %.449 = icmp sgt i32 %.441, 0
-  %.442 = load ptr, ptr %excinfo.1, align 8
-  %.450 = select i1 %.449, ptr %.442, ptr undef
-  store ptr %.450, ptr %excinfo, align 8
+  %.514 = icmp sgt i32 %.506, 0
+  %.507 = load ptr, ptr %excinfo.1, align 8
+  %.515 = select i1 %.514, ptr %.507, ptr undef
+  store ptr %.515, ptr %excinfo, align 8
   br label %common.ret
 
 B918.endif:
-  br i1 %.559904, label %B1252.if.preheader, label %B1268
+  br i1 %.624905, label %B1292.if.preheader, label %B1308
 
-B1252.if.preheader:
-  call void @llvm.memset.p0.i64(ptr align 8 %.141, i8 0, i64 %6, i1 false)
-  br label %B1268
+B1292.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %.144, i8 0, i64 %6, i1 false)
+  br label %B1308
 
-B1298.if:
-  %.629.0908 = phi i64 [ %.698, %B1298.if ], [ 0, %B1268 ]
-  %.698 = add nuw nsw i64 %.629.0908, 1
-  %.728 = getelementptr double, ptr %.178, i64 %.629.0908
-  store double 0.000000e+00, ptr %.728, align 8
-  %.731 = getelementptr double, ptr %.174, i64 %.629.0908
-  store double 0.000000e+00, ptr %.731, align 8
-  %exitcond.not = icmp eq i64 %.98, %.698
-  br i1 %exitcond.not, label %B1326, label %B1298.if
+B1338.if:
+  %.694.0909 = phi i64 [ %.763, %B1338.if ], [ 0, %B1308 ]
+  %.763 = add nuw nsw i64 %.694.0909, 1
+  %.793 = getelementptr double, ptr %.181, i64 %.694.0909
+  store double 0.000000e+00, ptr %.793, align 8
+  %.796 = getelementptr double, ptr %.177, i64 %.694.0909
+  store double 0.000000e+00, ptr %.796, align 8
+  %exitcond.not = icmp eq i64 %.101, %.763
+  br i1 %exitcond.not, label %B1366, label %B1338.if
 
-B1326.if:
-  %.766 = icmp sgt i32 %.758, 0
-  %.759 = load ptr, ptr %excinfo.2, align 8
-  %.767 = select i1 %.766, ptr %.759, ptr undef
-  store ptr %.767, ptr %excinfo, align 8
+B1366.if:
+  %.831 = icmp sgt i32 %.823, 0
+  %.824 = load ptr, ptr %excinfo.2, align 8
+  %.832 = select i1 %.831, ptr %.824, ptr undef
+  store ptr %.832, ptr %excinfo, align 8
   br label %common.ret
 
-B1326.endif:
-  %.821 = sub i64 %stop.2.0957, %.768
-  %.864912.not = icmp slt i64 %.821, 1
-  br i1 %.864912.not, label %B1822, label %B1392.if
+B1366.endif:
+  %.886 = sub i64 %stop.2.0958, %.833
+  %.929913.not = icmp slt i64 %.886, 1
+  br i1 %.929913.not, label %B1862, label %B1432.if
 
-B1392.if:
-  %time_bar.4.1916 = phi double [ %.1262, %B1706.endif.endif ], [ 0.000000e+00, %B1326.endif ]
-  %h_bar.6.1915 = phi double [ %.1253, %B1706.endif.endif ], [ 0.000000e+00, %B1326.endif ]
-  %.811.0914 = phi i64 [ %.873, %B1706.endif.endif ], [ %.821, %B1326.endif ]
-  %.808.0913 = phi i64 [ %.877, %B1706.endif.endif ], [ %.768, %B1326.endif ]
-  %.873 = add nsw i64 %.811.0914, -1
-  %.877 = add i64 %.808.0913, 1
-  %.903 = mul nsw i64 %.808.0913, %.98
-  %.905 = getelementptr double, ptr %arg.weights, i64 %.903
-  %.908 = getelementptr double, ptr %arg.edges, i64 %.808.0913
-  %.909 = load double, ptr %.908, align 8
-  store double 0.000000e+00, ptr %.911, align 8
-  %.915 = call i32 @part_done.53(ptr nonnull %.911, ptr nonnull %excinfo.3, double %.909, ptr nonnull %.385)
-  %.925 = load double, ptr %.911, align 8
-  switch i32 %.915, label %B1394.if [
-    i32 -2, label %B1394.endif
-    i32 0, label %B1394.endif
+B1432.if:
+  %time_bar.4.1917 = phi double [ %.1327, %B1746.endif.endif ], [ 0.000000e+00, %B1366.endif ]
+  %h_bar.6.1916 = phi double [ %.1318, %B1746.endif.endif ], [ 0.000000e+00, %B1366.endif ]
+  %.876.0915 = phi i64 [ %.938, %B1746.endif.endif ], [ %.886, %B1366.endif ]
+  %.873.0914 = phi i64 [ %.942, %B1746.endif.endif ], [ %.833, %B1366.endif ]
+  %.938 = add nsw i64 %.876.0915, -1
+  %.942 = add i64 %.873.0914, 1
+  %.968 = mul nsw i64 %.873.0914, %.101
+  %.970 = getelementptr double, ptr %arg.weights, i64 %.968
+  %.973 = getelementptr double, ptr %arg.edges, i64 %.873.0914
+  %.974 = load double, ptr %.973, align 8
+  store double 0.000000e+00, ptr %.976, align 8
+  %.980 = call i32 @part_done.54(ptr nonnull %.976, ptr nonnull %excinfo.3, double %.974, ptr nonnull %.387)
+  %.990 = load double, ptr %.976, align 8
+  switch i32 %.980, label %B1434.if [
+    i32 -2, label %B1434.endif
+    i32 0, label %B1434.endif
   ]
 
-B1394.if:
-  %.923 = icmp sgt i32 %.915, 0
-  %.916 = load ptr, ptr %excinfo.3, align 8
-  %.924 = select i1 %.923, ptr %.916, ptr undef
-  store ptr %.924, ptr %excinfo, align 8
+B1434.if:
+  %.988 = icmp sgt i32 %.980, 0
+  %.981 = load ptr, ptr %excinfo.3, align 8
+  %.989 = select i1 %.988, ptr %.981, ptr undef
+  store ptr %.989, ptr %excinfo, align 8
   br label %common.ret
 
-B1394.endif:
-  %.944 = fsub contract double 1.000000e+00, %.925
-  store ptr null, ptr %.948, align 8
-  %.952 = call i32 @add_scaled.29(ptr nonnull %.948, ptr nonnull %excinfo.4, i64 %.98, double %.944, ptr %.905, ptr %.178)
-  switch i32 %.952, label %B1394.endif.if [
-    i32 -2, label %B1394.endif.endif
-    i32 0, label %B1394.endif.endif
+B1434.endif:
+  %.1009 = fsub contract double 1.000000e+00, %.990
+  store ptr null, ptr %.1013, align 8
+  %.1017 = call i32 @add_scaled.29(ptr nonnull %.1013, ptr nonnull %excinfo.4, i64 %.101, double %.1009, ptr %.970, ptr %.181)
+  switch i32 %.1017, label %B1434.endif.if [
+    i32 -2, label %B1434.endif.endif
+    i32 0, label %B1434.endif.endif
   ]
 
-B1394.endif.if:
-  %.960 = icmp sgt i32 %.952, 0
-  %.953 = load ptr, ptr %excinfo.4, align 8
-  %.961 = select i1 %.960, ptr %.953, ptr undef
-  store ptr %.961, ptr %excinfo, align 8
+B1434.endif.if:
+  %.1025 = icmp sgt i32 %.1017, 0
+  %.1018 = load ptr, ptr %excinfo.4, align 8
+  %.1026 = select i1 %.1025, ptr %.1018, ptr undef
+  store ptr %.1026, ptr %excinfo, align 8
   br label %common.ret
 
-B1394.endif.endif:
-  store ptr null, ptr %.977, align 8
-  %.981 = call i32 @add_scaled.29(ptr nonnull %.977, ptr nonnull %excinfo.5, i64 %.98, double %.925, ptr %.905, ptr %arg.y_bar)
-  switch i32 %.981, label %B1394.endif.endif.if [
-    i32 -2, label %B1596.if.preheader
-    i32 0, label %B1596.if.preheader
+B1434.endif.endif:
+  store ptr null, ptr %.1042, align 8
+  %.1046 = call i32 @add_scaled.29(ptr nonnull %.1042, ptr nonnull %excinfo.5, i64 %.101, double %.990, ptr %.970, ptr %arg.y_bar)
+  switch i32 %.1046, label %B1434.endif.endif.if [
+    i32 -2, label %B1636.if.preheader
+    i32 0, label %B1636.if.preheader
   ]
 
-B1596.if.preheader:
-  br label %B1596.if
+B1636.if.preheader:
+  br label %B1636.if
 
-B1394.endif.endif.if:
-  %.989 = icmp sgt i32 %.981, 0
-  %.982 = load ptr, ptr %excinfo.5, align 8
-  %.990 = select i1 %.989, ptr %.982, ptr undef
-  store ptr %.990, ptr %excinfo, align 8
+B1434.endif.endif.if:
+  %.1054 = icmp sgt i32 %.1046, 0
+  %.1047 = load ptr, ptr %excinfo.5, align 8
+  %.1055 = select i1 %.1054, ptr %.1047, ptr undef
+  store ptr %.1055, ptr %excinfo, align 8
   br label %common.ret
 
-B1596.if:
-  %.1024.0910 = phi i64 [ %.1093, %B1598.endif.endif ], [ 0, %B1596.if.preheader ]
-  %.1093 = add nuw nsw i64 %.1024.0910, 1
-  store double 0.000000e+00, ptr %.1121, align 8
-  %.1125 = call i32 @dense_weight.54(ptr nonnull %.1121, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1024.0910, double %.925)
-  switch i32 %.1125, label %B1598.if [
-    i32 -2, label %B1598.endif
-    i32 0, label %B1598.endif
+B1636.if:
+  %.1089.0911 = phi i64 [ %.1158, %B1638.endif.endif ], [ 0, %B1636.if.preheader ]
+  %.1158 = add nuw nsw i64 %.1089.0911, 1
+  store double 0.000000e+00, ptr %.1186, align 8
+  %.1190 = call i32 @dense_weight.55(ptr nonnull %.1186, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1089.0911, double %.990)
+  switch i32 %.1190, label %B1638.if [
+    i32 -2, label %B1638.endif
+    i32 0, label %B1638.endif
   ]
 
-B1598.if:
-  %.1133 = icmp sgt i32 %.1125, 0
-  %.1126 = load ptr, ptr %excinfo.6, align 8
-  %.1134 = select i1 %.1133, ptr %.1126, ptr undef
-  store ptr %.1134, ptr %excinfo, align 8
+B1638.if:
+  %.1198 = icmp sgt i32 %.1190, 0
+  %.1191 = load ptr, ptr %excinfo.6, align 8
+  %.1199 = select i1 %.1198, ptr %.1191, ptr undef
+  store ptr %.1199, ptr %excinfo, align 8
   br label %common.ret
 
-B1598.endif:
-  %.1135 = load double, ptr %.1121, align 8
-  %.1147 = mul nsw i64 %.1024.0910, %.98
-  %.1149 = getelementptr double, ptr %.141, i64 %.1147
-  store ptr null, ptr %.1152, align 8
-  %.1156 = call i32 @add_scaled.29(ptr nonnull %.1152, ptr nonnull %excinfo.7, i64 %.98, double %.1135, ptr %.905, ptr %.1149)
-  switch i32 %.1156, label %B1598.endif.if [
-    i32 -2, label %B1598.endif.endif
-    i32 0, label %B1598.endif.endif
+B1638.endif:
+  %.1200 = load double, ptr %.1186, align 8
+  %.1212 = mul nsw i64 %.1089.0911, %.101
+  %.1214 = getelementptr double, ptr %.144, i64 %.1212
+  store ptr null, ptr %.1217, align 8
+  %.1221 = call i32 @add_scaled.29(ptr nonnull %.1217, ptr nonnull %excinfo.7, i64 %.101, double %.1200, ptr %.970, ptr %.1214)
+  switch i32 %.1221, label %B1638.endif.if [
+    i32 -2, label %B1638.endif.endif
+    i32 0, label %B1638.endif.endif
   ]
 
-B1598.endif.if:
-  %.1164 = icmp sgt i32 %.1156, 0
-  %.1157 = load ptr, ptr %excinfo.7, align 8
-  %.1165 = select i1 %.1164, ptr %.1157, ptr undef
-  store ptr %.1165, ptr %excinfo, align 8
-  br label %common.ret
-
-B1598.endif.endif:
-  %exitcond1190.not = icmp eq i64 %.1093, 8
-  br i1 %exitcond1190.not, label %B1706, label %B1596.if
-
-B1706.if:
-  %.1201 = icmp sgt i32 %.1193, 0
-  %.1194 = load ptr, ptr %excinfo.8, align 8
-  %.1202 = select i1 %.1201, ptr %.1194, ptr undef
-  store ptr %.1202, ptr %excinfo, align 8
-  br label %common.ret
-
-B1706.endif:
-  store double 0.000000e+00, ptr %.1217, align 8
-  %.1221 = call i32 @dot.51(ptr nonnull %.1217, ptr nonnull %excinfo.9, i64 %.98, ptr %.905, ptr %.153)
-  switch i32 %.1221, label %B1706.endif.if [
-    i32 -2, label %B1706.endif.endif
-    i32 0, label %B1706.endif.endif
-  ]
-
-B1706.endif.if:
+B1638.endif.if:
   %.1229 = icmp sgt i32 %.1221, 0
-  %.1222 = load ptr, ptr %excinfo.9, align 8
+  %.1222 = load ptr, ptr %excinfo.7, align 8
   %.1230 = select i1 %.1229, ptr %.1222, ptr undef
   store ptr %.1230, ptr %excinfo, align 8
   br label %common.ret
 
-B1706.endif.endif:
-  %.1231 = load double, ptr %.1217, align 8
-  %.1244 = fmul contract double %.925, %.1231
-  %.1251 = fdiv contract double %.1244, %.394
-  %.1253 = fsub contract double %h_bar.6.1915, %.1251
-  %.1260 = fdiv contract double %.1231, %.394
-  %.1262 = fsub contract double %time_bar.4.1916, %.1260
-  %.864 = icmp sgt i64 %.811.0914, 1
-  br i1 %.864, label %B1392.if, label %B1822
+B1638.endif.endif:
+  %exitcond1191.not = icmp eq i64 %.1158, 8
+  br i1 %exitcond1191.not, label %B1746, label %B1636.if
 
-B1822.if:
-  %.1312 = icmp sgt i32 %.1304, 0
-  %.1305 = load ptr, ptr %excinfo.10, align 8
-  %.1313 = select i1 %.1312, ptr %.1305, ptr undef
-  store ptr %.1313, ptr %excinfo, align 8
+B1746.if:
+  %.1266 = icmp sgt i32 %.1258, 0
+  %.1259 = load ptr, ptr %excinfo.8, align 8
+  %.1267 = select i1 %.1266, ptr %.1259, ptr undef
+  store ptr %.1267, ptr %excinfo, align 8
   br label %common.ret
 
-B1822.endif:
-  %.1326 = load double, ptr %.1325, align 8
-  %.1328 = fmul contract double %.394, %.1326
-  %.1332 = fdiv contract double 1.000000e+00, %.1328
-  br label %B1992.if
-
-B1992.if:
-  %time_bar.5.1932 = phi double [ %time_bar.4.1.lcssa, %B1822.endif ], [ %.1898, %B3096.endif.endif.endif ]
-  %h_bar.7.1931 = phi double [ %h_bar.6.1.lcssa, %B1822.endif ], [ %.2367, %B3096.endif.endif.endif ]
-  %.1359.0929 = phi i64 [ 0, %B1822.endif ], [ %.1429, %B3096.endif.endif.endif ]
-  %.1429 = add nuw nsw i64 %.1359.0929, 1
-  %35 = sub nuw nsw i64 7, %.1359.0929
-  %.1461 = mul nsw i64 %35, %.98
-  %.1463 = getelementptr double, ptr %.144, i64 %.1461
-  %.1472 = getelementptr double, ptr %.141, i64 %.1461
-  store ptr null, ptr %.1482, align 8
-  %.1486 = call i32 @lu_solve_transposed.35(ptr nonnull %.1482, ptr nonnull %excinfo.11, i64 %.98, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.202, ptr %.1472, ptr %.1463, ptr %.195)
-  switch i32 %.1486, label %B1994.if [
-    i32 -2, label %B1994.endif
-    i32 0, label %B1994.endif
+B1746.endif:
+  store double 0.000000e+00, ptr %.1282, align 8
+  %.1286 = call i32 @dot.52(ptr nonnull %.1282, ptr nonnull %excinfo.9, i64 %.101, ptr %.970, ptr %.156)
+  switch i32 %.1286, label %B1746.endif.if [
+    i32 -2, label %B1746.endif.endif
+    i32 0, label %B1746.endif.endif
   ]
 
-B1994.if:
-  %.1494 = icmp sgt i32 %.1486, 0
-  %.1487 = load ptr, ptr %excinfo.11, align 8
-  %.1495 = select i1 %.1494, ptr %.1487, ptr undef
-  store ptr %.1495, ptr %excinfo, align 8
+B1746.endif.if:
+  %.1294 = icmp sgt i32 %.1286, 0
+  %.1287 = load ptr, ptr %excinfo.9, align 8
+  %.1295 = select i1 %.1294, ptr %.1287, ptr undef
+  store ptr %.1295, ptr %excinfo, align 8
   br label %common.ret
 
-B1994.endif:
-  %.1511 = getelementptr double, ptr %.132, i64 %.1461
-  store ptr null, ptr %.1514, align 8
-  %.1518 = call i32 @copy.27(ptr nonnull %.1514, ptr nonnull %excinfo.12, i64 %.98, ptr %.1511, ptr %arg.Y)
-  switch i32 %.1518, label %B1994.endif.if [
-    i32 -2, label %B1994.endif.endif
-    i32 0, label %B1994.endif.endif
+B1746.endif.endif:
+  %.1296 = load double, ptr %.1282, align 8
+  %.1309 = fmul contract double %.990, %.1296
+  %.1316 = fdiv contract double %.1309, %.396
+  %.1318 = fsub contract double %h_bar.6.1916, %.1316
+  %.1325 = fdiv contract double %.1296, %.396
+  %.1327 = fsub contract double %time_bar.4.1917, %.1325
+  %.929 = icmp sgt i64 %.876.0915, 1
+  br i1 %.929, label %B1432.if, label %B1862
+
+B1862.if:
+  %.1377 = icmp sgt i32 %.1369, 0
+  %.1370 = load ptr, ptr %excinfo.10, align 8
+  %.1378 = select i1 %.1377, ptr %.1370, ptr undef
+  store ptr %.1378, ptr %excinfo, align 8
+  br label %common.ret
+
+B1862.endif:
+  %.1391 = load double, ptr %.1390, align 8
+  %.1393 = fmul contract double %.396, %.1391
+  %.1397 = fdiv contract double 1.000000e+00, %.1393
+  br label %B2032.if
+
+B2032.if:
+  %time_bar.5.1933 = phi double [ %time_bar.4.1.lcssa, %B1862.endif ], [ %.1963, %B3136.endif.endif.endif ]
+  %h_bar.7.1932 = phi double [ %h_bar.6.1.lcssa, %B1862.endif ], [ %.2432, %B3136.endif.endif.endif ]
+  %.1424.0930 = phi i64 [ 0, %B1862.endif ], [ %.1494, %B3136.endif.endif.endif ]
+  %.1494 = add nuw nsw i64 %.1424.0930, 1
+  %35 = sub nuw nsw i64 7, %.1424.0930
+  %.1526 = mul nsw i64 %35, %.101
+  %.1528 = getelementptr double, ptr %.147, i64 %.1526
+  %.1537 = getelementptr double, ptr %.144, i64 %.1526
+  store ptr null, ptr %.1547, align 8
+  %.1551 = call i32 @lu_solve_transposed.36(ptr nonnull %.1547, ptr nonnull %excinfo.11, i64 %.101, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.205, ptr %.1537, ptr %.1528, ptr %.198)
+  switch i32 %.1551, label %B2034.if [
+    i32 -2, label %B2034.endif
+    i32 0, label %B2034.endif
   ]
 
-B1994.endif.if:
-  %.1526 = icmp sgt i32 %.1518, 0
-  %.1519 = load ptr, ptr %excinfo.12, align 8
-  %.1527 = select i1 %.1526, ptr %.1519, ptr undef
-  store ptr %.1527, ptr %excinfo, align 8
+B2034.if:
+  %.1559 = icmp sgt i32 %.1551, 0
+  %.1552 = load ptr, ptr %excinfo.11, align 8
+  %.1560 = select i1 %.1559, ptr %.1552, ptr undef
+  store ptr %.1560, ptr %excinfo, align 8
   br label %common.ret
 
-B1994.endif.endif:
+B2034.endif:
+  %.1576 = getelementptr double, ptr %.135, i64 %.1526
+  store ptr null, ptr %.1579, align 8
+  %.1583 = call i32 @copy.27(ptr nonnull %.1579, ptr nonnull %excinfo.12, i64 %.101, ptr %.1576, ptr %arg.Y)
+  switch i32 %.1583, label %B2034.endif.if [
+    i32 -2, label %B2034.endif.endif
+    i32 0, label %B2034.endif.endif
+  ]
+
+B2034.endif.if:
+  %.1591 = icmp sgt i32 %.1583, 0
+  %.1584 = load ptr, ptr %excinfo.12, align 8
+  %.1592 = select i1 %.1591, ptr %.1584, ptr undef
+  store ptr %.1592, ptr %excinfo, align 8
+  br label %common.ret
+
+B2034.endif.endif:
   %36 = getelementptr double, ptr %arg.method, i64 %35
-  %.1541 = getelementptr i8, ptr %36, i64 1024
-  %.1542 = load double, ptr %.1541, align 8
-  %.1544 = fmul contract double %.394, %.1542
-  %.1546 = fadd contract double %.391, %.1544
-  store double %.1546, ptr %.1549, align 8
-  store ptr null, ptr %.1560, align 8
-  %.1564 = call i32 @drive.6(ptr nonnull %.1560, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.238, ptr %.246)
-  switch i32 %.1564, label %B1994.endif.endif.if [
-    i32 -2, label %B1994.endif.endif.endif
-    i32 0, label %B1994.endif.endif.endif
+  %.1606 = getelementptr i8, ptr %36, i64 1024
+  %.1607 = load double, ptr %.1606, align 8
+  %.1609 = fmul contract double %.396, %.1607
+  %.1611 = fadd contract double %.393, %.1609
+  store double %.1611, ptr %.1614, align 8
+  store ptr null, ptr %.1625, align 8
+  %.1629 = call i32 @drive.6(ptr nonnull %.1625, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.241, ptr %.249)
+  switch i32 %.1629, label %B2034.endif.endif.if [
+    i32 -2, label %B2034.endif.endif.endif
+    i32 0, label %B2034.endif.endif.endif
   ]
 
-B1994.endif.endif.if:
-  %.1572 = icmp sgt i32 %.1564, 0
-  %.1565 = load ptr, ptr %excinfo.13, align 8
-  %.1573 = select i1 %.1572, ptr %.1565, ptr undef
-  store ptr %.1573, ptr %excinfo, align 8
+B2034.endif.endif.if:
+  %.1637 = icmp sgt i32 %.1629, 0
+  %.1630 = load ptr, ptr %excinfo.13, align 8
+  %.1638 = select i1 %.1637, ptr %.1630, ptr undef
+  store ptr %.1638, ptr %excinfo, align 8
   br label %common.ret
 
-B1994.endif.endif.endif:
-  br i1 %.1665918, label %B2340.if.preheader, label %B2356
+B2034.endif.endif.endif:
+  br i1 %.1730919, label %B2380.if.preheader, label %B2396
 
-B2340.if.preheader:
+B2380.if.preheader:
   call void @llvm.memset.p0.i64(ptr align 8 %arg.Y_bar, i8 0, i64 %9, i1 false)
-  br label %B2356
+  br label %B2396
 
-B2356.if:
-  %.1727 = icmp sgt i32 %.1719, 0
-  %.1720 = load ptr, ptr %excinfo.14, align 8
-  %.1728 = select i1 %.1727, ptr %.1720, ptr undef
-  store ptr %.1728, ptr %excinfo, align 8
+B2396.if:
+  %.1792 = icmp sgt i32 %.1784, 0
+  %.1785 = load ptr, ptr %excinfo.14, align 8
+  %.1793 = select i1 %.1792, ptr %.1785, ptr undef
+  store ptr %.1793, ptr %excinfo, align 8
   br label %common.ret
 
-B2356.endif:
-  store double 0.000000e+00, ptr %.1741, align 8
-  store ptr null, ptr %.1755, align 8
-  %.1759 = call i32 @pull_residual.39(ptr nonnull %.1755, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.153, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
-  switch i32 %.1759, label %B2356.endif.if [
-    i32 -2, label %B2356.endif.endif
-    i32 0, label %B2356.endif.endif
+B2396.endif:
+  store double 0.000000e+00, ptr %.1806, align 8
+  store ptr null, ptr %.1820, align 8
+  %.1824 = call i32 @pull_residual.40(ptr nonnull %.1820, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.156, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
+  switch i32 %.1824, label %B2396.endif.if [
+    i32 -2, label %B2396.endif.endif
+    i32 0, label %B2396.endif.endif
   ]
 
-B2356.endif.if:
-  %.1767 = icmp sgt i32 %.1759, 0
-  %.1760 = load ptr, ptr %excinfo.15, align 8
-  %.1768 = select i1 %.1767, ptr %.1760, ptr undef
-  store ptr %.1768, ptr %excinfo, align 8
+B2396.endif.if:
+  %.1832 = icmp sgt i32 %.1824, 0
+  %.1825 = load ptr, ptr %excinfo.15, align 8
+  %.1833 = select i1 %.1832, ptr %.1825, ptr undef
+  store ptr %.1833, ptr %excinfo, align 8
   br label %common.ret
 
-B2356.endif.endif:
-  store ptr null, ptr %.1791, align 8
-  %.1795 = call i32 @drives_bar.40(ptr nonnull %.1791, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
-  switch i32 %.1795, label %B2356.endif.endif.if [
-    i32 -2, label %B2356.endif.endif.endif
-    i32 0, label %B2356.endif.endif.endif
+B2396.endif.endif:
+  store ptr null, ptr %.1856, align 8
+  %.1860 = call i32 @drives_bar.41(ptr nonnull %.1856, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.232, ptr %.241, ptr %.249)
+  switch i32 %.1860, label %B2396.endif.endif.if [
+    i32 -2, label %B2396.endif.endif.endif
+    i32 0, label %B2396.endif.endif.endif
   ]
 
-B2356.endif.endif.if:
-  %.1803 = icmp sgt i32 %.1795, 0
-  %.1796 = load ptr, ptr %excinfo.16, align 8
-  %.1804 = select i1 %.1803, ptr %.1796, ptr undef
-  store ptr %.1804, ptr %excinfo, align 8
+B2396.endif.endif.if:
+  %.1868 = icmp sgt i32 %.1860, 0
+  %.1861 = load ptr, ptr %excinfo.16, align 8
+  %.1869 = select i1 %.1868, ptr %.1861, ptr undef
+  store ptr %.1869, ptr %excinfo, align 8
   br label %common.ret
 
-B2356.endif.endif.endif:
-  %.1817 = icmp eq i64 %.1359.0929, 0
-  br i1 %.1817, label %B2528, label %B2564
+B2396.endif.endif.endif:
+  %.1882 = icmp eq i64 %.1424.0930, 0
+  br i1 %.1882, label %B2568, label %B2604
 
-B2528.if:
-  %.1835 = icmp sgt i32 %.1827, 0
-  %.1828 = load ptr, ptr %excinfo.17, align 8
-  %.1836 = select i1 %.1835, ptr %.1828, ptr undef
-  store ptr %.1836, ptr %excinfo, align 8
+B2568.if:
+  %.1900 = icmp sgt i32 %.1892, 0
+  %.1893 = load ptr, ptr %excinfo.17, align 8
+  %.1901 = select i1 %.1900, ptr %.1893, ptr undef
+  store ptr %.1901, ptr %excinfo, align 8
   br label %common.ret
 
-B2564.if:
-  %.1864 = icmp sgt i32 %.1856, 0
-  %.1857 = load ptr, ptr %excinfo.18, align 8
-  %.1865 = select i1 %.1864, ptr %.1857, ptr undef
-  store ptr %.1865, ptr %excinfo, align 8
+B2604.if:
+  %.1929 = icmp sgt i32 %.1921, 0
+  %.1922 = load ptr, ptr %excinfo.18, align 8
+  %.1930 = select i1 %.1929, ptr %.1922, ptr undef
+  store ptr %.1930, ptr %excinfo, align 8
   br label %common.ret
 
-B2564.endif:
-  %.1880 = load double, ptr %.1541, align 8
-  %.1884 = load double, ptr %.1883, align 8
-  %.1885 = fmul contract double %.1880, %.1884
-  %.1887 = fadd contract double %h_bar.7.1931, %.1885
-  %.1898 = fadd contract double %time_bar.5.1932, %.1884
-  br i1 %.1984921.not, label %B2760, label %B2708.if
+B2604.endif:
+  %.1945 = load double, ptr %.1606, align 8
+  %.1949 = load double, ptr %.1948, align 8
+  %.1950 = fmul contract double %.1945, %.1949
+  %.1952 = fadd contract double %h_bar.7.1932, %.1950
+  %.1963 = fadd contract double %time_bar.5.1933, %.1949
+  br i1 %.2049922.not, label %B2800, label %B2748.if
 
-B2708.if:
-  %.1928.0922 = phi i64 [ %.1997, %B2708.if ], [ 0, %B2564.endif ]
-  %.1997 = add nuw nsw i64 %.1928.0922, 1
-  %.2023 = getelementptr double, ptr %arg.mass, i64 %.1928.0922
-  %.2024 = load double, ptr %.2023, align 8
-  %.2026 = getelementptr double, ptr %.1463, i64 %.1928.0922
-  %.2027 = load double, ptr %.2026, align 8
-  %.2028 = fmul contract double %.2024, %.2027
-  %.2033 = fdiv contract double %.2028, %.394
-  %.2035 = getelementptr double, ptr %.157, i64 %.1928.0922
-  store double %.2033, ptr %.2035, align 8
-  %exitcond1191.not = icmp eq i64 %.98, %.1997
-  br i1 %exitcond1191.not, label %B2760, label %B2708.if
+B2748.if:
+  %.1993.0923 = phi i64 [ %.2062, %B2748.if ], [ 0, %B2604.endif ]
+  %.2062 = add nuw nsw i64 %.1993.0923, 1
+  %.2088 = getelementptr double, ptr %arg.mass, i64 %.1993.0923
+  %.2089 = load double, ptr %.2088, align 8
+  %.2091 = getelementptr double, ptr %.1528, i64 %.1993.0923
+  %.2092 = load double, ptr %.2091, align 8
+  %.2093 = fmul contract double %.2089, %.2092
+  %.2098 = fdiv contract double %.2093, %.396
+  %.2100 = getelementptr double, ptr %.160, i64 %.1993.0923
+  store double %.2098, ptr %.2100, align 8
+  %exitcond1192.not = icmp eq i64 %.101, %.2062
+  br i1 %exitcond1192.not, label %B2800, label %B2748.if
 
-B2790.if:
-  %h_bar.8.2927 = phi double [ %.1887, %B2790.if.lr.ph ], [ %.2282, %B2792.endif.endif.endif ]
-  %.2072.0925 = phi i64 [ 0, %B2790.if.lr.ph ], [ %.2141, %B2792.endif.endif.endif ]
-  %.2141 = add nuw nsw i64 %.2072.0925, 1
-  %.2167 = mul nsw i64 %.2072.0925, %.98
-  %.2169 = getelementptr double, ptr %.141, i64 %.2167
-  %.2175 = getelementptr double, ptr %30, i64 %.2072.0925
-  %.2176 = load double, ptr %.2175, align 8
-  store ptr null, ptr %.2179, align 8
-  %.2183 = call i32 @add_scaled.29(ptr nonnull %.2179, ptr nonnull %excinfo.19, i64 %.98, double %.2176, ptr %arg.Y_bar, ptr %.2169)
-  switch i32 %.2183, label %B2792.if [
-    i32 -2, label %B2792.endif
-    i32 0, label %B2792.endif
+B2830.if:
+  %h_bar.8.2928 = phi double [ %.1952, %B2830.if.lr.ph ], [ %.2347, %B2832.endif.endif.endif ]
+  %.2137.0926 = phi i64 [ 0, %B2830.if.lr.ph ], [ %.2206, %B2832.endif.endif.endif ]
+  %.2206 = add nuw nsw i64 %.2137.0926, 1
+  %.2232 = mul nsw i64 %.2137.0926, %.101
+  %.2234 = getelementptr double, ptr %.144, i64 %.2232
+  %.2240 = getelementptr double, ptr %30, i64 %.2137.0926
+  %.2241 = load double, ptr %.2240, align 8
+  store ptr null, ptr %.2244, align 8
+  %.2248 = call i32 @add_scaled.29(ptr nonnull %.2244, ptr nonnull %excinfo.19, i64 %.101, double %.2241, ptr %arg.Y_bar, ptr %.2234)
+  switch i32 %.2248, label %B2832.if [
+    i32 -2, label %B2832.endif
+    i32 0, label %B2832.endif
   ]
 
-B2792.if:
-  %.2191 = icmp sgt i32 %.2183, 0
-  %.2184 = load ptr, ptr %excinfo.19, align 8
-  %.2192 = select i1 %.2191, ptr %.2184, ptr undef
-  store ptr %.2192, ptr %excinfo, align 8
+B2832.if:
+  %.2256 = icmp sgt i32 %.2248, 0
+  %.2249 = load ptr, ptr %excinfo.19, align 8
+  %.2257 = select i1 %.2256, ptr %.2249, ptr undef
+  store ptr %.2257, ptr %excinfo, align 8
   br label %common.ret
 
-B2792.endif:
-  %.2209 = getelementptr double, ptr %31, i64 %.2072.0925
-  %.2210 = load double, ptr %.2209, align 8
-  store ptr null, ptr %.2213, align 8
-  %.2217 = call i32 @add_scaled.29(ptr nonnull %.2213, ptr nonnull %excinfo.20, i64 %.98, double %.2210, ptr %.157, ptr %.2169)
-  switch i32 %.2217, label %B2792.endif.if [
-    i32 -2, label %B2792.endif.endif
-    i32 0, label %B2792.endif.endif
+B2832.endif:
+  %.2274 = getelementptr double, ptr %31, i64 %.2137.0926
+  %.2275 = load double, ptr %.2274, align 8
+  store ptr null, ptr %.2278, align 8
+  %.2282 = call i32 @add_scaled.29(ptr nonnull %.2278, ptr nonnull %excinfo.20, i64 %.101, double %.2275, ptr %.160, ptr %.2234)
+  switch i32 %.2282, label %B2832.endif.if [
+    i32 -2, label %B2832.endif.endif
+    i32 0, label %B2832.endif.endif
   ]
 
-B2792.endif.if:
-  %.2225 = icmp sgt i32 %.2217, 0
-  %.2218 = load ptr, ptr %excinfo.20, align 8
-  %.2226 = select i1 %.2225, ptr %.2218, ptr undef
-  store ptr %.2226, ptr %excinfo, align 8
+B2832.endif.if:
+  %.2290 = icmp sgt i32 %.2282, 0
+  %.2283 = load ptr, ptr %excinfo.20, align 8
+  %.2291 = select i1 %.2290, ptr %.2283, ptr undef
+  store ptr %.2291, ptr %excinfo, align 8
   br label %common.ret
 
-B2792.endif.endif:
-  %.2243 = load double, ptr %.2209, align 8
-  %.2248 = getelementptr double, ptr %arg.work, i64 %.2167
-  store double 0.000000e+00, ptr %.2251, align 8
-  %.2255 = call i32 @dot.51(ptr nonnull %.2251, ptr nonnull %excinfo.21, i64 %.98, ptr %.157, ptr %.2248)
-  switch i32 %.2255, label %B2792.endif.endif.if [
-    i32 -2, label %B2792.endif.endif.endif
-    i32 0, label %B2792.endif.endif.endif
+B2832.endif.endif:
+  %.2308 = load double, ptr %.2274, align 8
+  %.2313 = getelementptr double, ptr %arg.work, i64 %.2232
+  store double 0.000000e+00, ptr %.2316, align 8
+  %.2320 = call i32 @dot.52(ptr nonnull %.2316, ptr nonnull %excinfo.21, i64 %.101, ptr %.160, ptr %.2313)
+  switch i32 %.2320, label %B2832.endif.endif.if [
+    i32 -2, label %B2832.endif.endif.endif
+    i32 0, label %B2832.endif.endif.endif
   ]
 
-B2792.endif.endif.if:
-  %.2263 = icmp sgt i32 %.2255, 0
-  %.2256 = load ptr, ptr %excinfo.21, align 8
-  %.2264 = select i1 %.2263, ptr %.2256, ptr undef
-  store ptr %.2264, ptr %excinfo, align 8
+B2832.endif.endif.if:
+  %.2328 = icmp sgt i32 %.2320, 0
+  %.2321 = load ptr, ptr %excinfo.21, align 8
+  %.2329 = select i1 %.2328, ptr %.2321, ptr undef
+  store ptr %.2329, ptr %excinfo, align 8
   br label %common.ret
 
-B2792.endif.endif.endif:
-  %.2265 = load double, ptr %.2251, align 8
-  %.2275 = fmul contract double %.2243, %.2265
-  %.2280 = fdiv contract double %.2275, %.394
-  %.2282 = fsub contract double %h_bar.8.2927, %.2280
-  %exitcond1192.not = icmp eq i64 %.2141, %35
-  br i1 %exitcond1192.not, label %B3096, label %B2790.if
+B2832.endif.endif.endif:
+  %.2330 = load double, ptr %.2316, align 8
+  %.2340 = fmul contract double %.2308, %.2330
+  %.2345 = fdiv contract double %.2340, %.396
+  %.2347 = fsub contract double %h_bar.8.2928, %.2345
+  %exitcond1193.not = icmp eq i64 %.2206, %35
+  br i1 %exitcond1193.not, label %B3136, label %B2830.if
 
-B3096.if:
-  %.2315 = icmp sgt i32 %.2307, 0
-  %.2308 = load ptr, ptr %excinfo.22, align 8
-  %.2316 = select i1 %.2315, ptr %.2308, ptr undef
-  store ptr %.2316, ptr %excinfo, align 8
+B3136.if:
+  %.2380 = icmp sgt i32 %.2372, 0
+  %.2373 = load ptr, ptr %excinfo.22, align 8
+  %.2381 = select i1 %.2380, ptr %.2373, ptr undef
+  store ptr %.2381, ptr %excinfo, align 8
   br label %common.ret
 
-B3096.endif:
-  %.2317 = load double, ptr %.2303, align 8
-  %.2336 = getelementptr i8, ptr %36, i64 1088
-  %.2337 = load double, ptr %.2336, align 8
-  store double 0.000000e+00, ptr %.2342, align 8
-  %.2346 = call i32 @dot.51(ptr nonnull %.2342, ptr nonnull %excinfo.23, i64 %.98, ptr %.1463, ptr %.161)
-  switch i32 %.2346, label %B3096.endif.if [
-    i32 -2, label %B3096.endif.endif
-    i32 0, label %B3096.endif.endif
+B3136.endif:
+  %.2382 = load double, ptr %.2368, align 8
+  %.2401 = getelementptr i8, ptr %36, i64 1088
+  %.2402 = load double, ptr %.2401, align 8
+  store double 0.000000e+00, ptr %.2407, align 8
+  %.2411 = call i32 @dot.52(ptr nonnull %.2407, ptr nonnull %excinfo.23, i64 %.101, ptr %.1528, ptr %.164)
+  switch i32 %.2411, label %B3136.endif.if [
+    i32 -2, label %B3136.endif.endif
+    i32 0, label %B3136.endif.endif
   ]
 
-B3096.endif.if:
-  %.2354 = icmp sgt i32 %.2346, 0
-  %.2347 = load ptr, ptr %excinfo.23, align 8
-  %.2355 = select i1 %.2354, ptr %.2347, ptr undef
-  store ptr %.2355, ptr %excinfo, align 8
+B3136.endif.if:
+  %.2419 = icmp sgt i32 %.2411, 0
+  %.2412 = load ptr, ptr %excinfo.23, align 8
+  %.2420 = select i1 %.2419, ptr %.2412, ptr undef
+  store ptr %.2420, ptr %excinfo, align 8
   br label %common.ret
 
-B3096.endif.endif:
-  %.2356 = load double, ptr %.2342, align 8
-  %.2377 = load double, ptr %.2336, align 8
-  %.2379 = fmul contract double %.394, %.2377
-  store ptr null, ptr %.2383, align 8
-  %.2387 = call i32 @add_scaled.29(ptr nonnull %.2383, ptr nonnull %excinfo.24, i64 %.98, double %.2379, ptr %.1463, ptr %.174)
-  switch i32 %.2387, label %B3096.endif.endif.if [
-    i32 -2, label %B3096.endif.endif.endif
-    i32 0, label %B3096.endif.endif.endif
+B3136.endif.endif:
+  %.2421 = load double, ptr %.2407, align 8
+  %.2442 = load double, ptr %.2401, align 8
+  %.2444 = fmul contract double %.396, %.2442
+  store ptr null, ptr %.2448, align 8
+  %.2452 = call i32 @add_scaled.29(ptr nonnull %.2448, ptr nonnull %excinfo.24, i64 %.101, double %.2444, ptr %.1528, ptr %.177)
+  switch i32 %.2452, label %B3136.endif.endif.if [
+    i32 -2, label %B3136.endif.endif.endif
+    i32 0, label %B3136.endif.endif.endif
   ]
 
-B3096.endif.endif.if:
-  %.2395 = icmp sgt i32 %.2387, 0
-  %.2388 = load ptr, ptr %excinfo.24, align 8
-  %.2396 = select i1 %.2395, ptr %.2388, ptr undef
-  store ptr %.2396, ptr %excinfo, align 8
+B3136.endif.endif.if:
+  %.2460 = icmp sgt i32 %.2452, 0
+  %.2453 = load ptr, ptr %excinfo.24, align 8
+  %.2461 = select i1 %.2460, ptr %.2453, ptr undef
+  store ptr %.2461, ptr %excinfo, align 8
   br label %common.ret
 
-B3096.endif.endif.endif:
-  %.2328 = fmul contract double %.1332, %.2317
-  %.2330 = fadd contract double %h_bar.8.2.lcssa, %.2328
-  %.2366 = fmul contract double %.2337, %.2356
-  %.2367 = fadd contract double %.2330, %.2366
-  %exitcond1193.not = icmp eq i64 %.1429, 8
-  br i1 %exitcond1193.not, label %B3324, label %B1992.if
+B3136.endif.endif.endif:
+  %.2393 = fmul contract double %.1397, %.2382
+  %.2395 = fadd contract double %h_bar.8.2.lcssa, %.2393
+  %.2431 = fmul contract double %.2402, %.2421
+  %.2432 = fadd contract double %.2395, %.2431
+  %exitcond1194.not = icmp eq i64 %.1494, 8
+  br i1 %exitcond1194.not, label %B3364, label %B2032.if
 
-B3400.if:
-  %.2568.0942 = phi i64 [ %.2637, %B3542 ], [ 0, %B3370 ]
-  %.2789 = getelementptr i32, ptr %arg.entry_rows, i64 %.2568.0942
-  %.2790 = load i32, ptr %.2789, align 4
-  %.2791 = sext i32 %.2790 to i64
-  %invariant.gep = getelementptr double, ptr %.144, i64 %.2791
-  %.2800 = getelementptr i32, ptr %arg.entry_columns, i64 %.2568.0942
-  %.2801 = load i32, ptr %.2800, align 4
-  %.2802 = sext i32 %.2801 to i64
-  %invariant.gep936 = getelementptr double, ptr %arg.work, i64 %.2802
-  br label %B3448.if
+B3440.if:
+  %.2633.0943 = phi i64 [ %.2702, %B3582 ], [ 0, %B3410 ]
+  %.2854 = getelementptr i32, ptr %arg.entry_rows, i64 %.2633.0943
+  %.2855 = load i32, ptr %.2854, align 4
+  %.2856 = sext i32 %.2855 to i64
+  %invariant.gep = getelementptr double, ptr %.147, i64 %.2856
+  %.2865 = getelementptr i32, ptr %arg.entry_columns, i64 %.2633.0943
+  %.2866 = load i32, ptr %.2865, align 4
+  %.2867 = sext i32 %.2866 to i64
+  %invariant.gep937 = getelementptr double, ptr %arg.work, i64 %.2867
+  br label %B3488.if
 
-B3448.if:
-  %total.2.2940 = phi double [ 0.000000e+00, %B3400.if ], [ %.2809, %B3448.if ]
-  %.2691.0938 = phi i64 [ 0, %B3400.if ], [ %.2760, %B3448.if ]
-  %.2760 = add nuw nsw i64 %.2691.0938, 1
-  %37 = mul nsw i64 %.2691.0938, %.98
+B3488.if:
+  %total.2.2941 = phi double [ 0.000000e+00, %B3440.if ], [ %.2874, %B3488.if ]
+  %.2756.0939 = phi i64 [ 0, %B3440.if ], [ %.2825, %B3488.if ]
+  %.2825 = add nuw nsw i64 %.2756.0939, 1
+  %37 = mul nsw i64 %.2756.0939, %.101
   %gep = getelementptr double, ptr %invariant.gep, i64 %37
-  %.2795 = load double, ptr %gep, align 8
-  %gep937 = getelementptr double, ptr %invariant.gep936, i64 %37
-  %.2806 = load double, ptr %gep937, align 8
-  %.2807 = fmul contract double %.2795, %.2806
-  %.2809 = fadd contract double %total.2.2940, %.2807
-  %exitcond1194.not = icmp eq i64 %.2760, 8
-  br i1 %exitcond1194.not, label %B3542, label %B3448.if
+  %.2860 = load double, ptr %gep, align 8
+  %gep938 = getelementptr double, ptr %invariant.gep937, i64 %37
+  %.2871 = load double, ptr %gep938, align 8
+  %.2872 = fmul contract double %.2860, %.2871
+  %.2874 = fadd contract double %total.2.2941, %.2872
+  %exitcond1195.not = icmp eq i64 %.2825, 8
+  br i1 %exitcond1195.not, label %B3582, label %B3488.if
 
-B3670.if:
-  %.2988.0948 = phi i64 [ %.3057, %B3670.if ], [ 0, %B3640 ]
-  %.3057 = add nuw nsw i64 %.2988.0948, 1
-  %.3083 = getelementptr i32, ptr %arg.drive_rows, i64 %.2988.0948
-  %.3084 = load i32, ptr %.3083, align 4
-  %.3086 = sext i32 %.3084 to i64
-  %.3087 = getelementptr double, ptr %.174, i64 %.3086
-  %.3088 = load double, ptr %.3087, align 8
-  %.3090 = getelementptr i32, ptr %arg.drive_columns, i64 %.2988.0948
-  %.3091 = load i32, ptr %.3090, align 4
-  %.3093 = sext i32 %.3091 to i64
-  %.3094 = getelementptr double, ptr %.220, i64 %.3093
-  %.3095 = load double, ptr %.3094, align 8
-  %.3096 = fmul contract double %.3088, %.3095
-  %.3099 = add nsw i64 %.2988.0948, %.123
-  %.3101 = getelementptr double, ptr %.214, i64 %.3099
-  store double %.3096, ptr %.3101, align 8
-  %.3108 = getelementptr double, ptr %.229, i64 %.3093
-  %.3109 = load double, ptr %.3108, align 8
-  %.3116 = load double, ptr %.3087, align 8
-  %.3121 = getelementptr double, ptr %.208, i64 %.3099
-  %.3122 = load double, ptr %.3121, align 8
-  %.3123 = fmul contract double %.3116, %.3122
-  %.3124 = fadd contract double %.3109, %.3123
-  store double %.3124, ptr %.3108, align 8
-  %exitcond1198.not = icmp eq i64 %.115, %.3057
-  br i1 %exitcond1198.not, label %B3850, label %B3670.if
+B3710.if:
+  %.3053.0949 = phi i64 [ %.3122, %B3710.if ], [ 0, %B3680 ]
+  %.3122 = add nuw nsw i64 %.3053.0949, 1
+  %.3148 = getelementptr i32, ptr %arg.drive_rows, i64 %.3053.0949
+  %.3149 = load i32, ptr %.3148, align 4
+  %.3151 = sext i32 %.3149 to i64
+  %.3152 = getelementptr double, ptr %.177, i64 %.3151
+  %.3153 = load double, ptr %.3152, align 8
+  %.3155 = getelementptr i32, ptr %arg.drive_columns, i64 %.3053.0949
+  %.3156 = load i32, ptr %.3155, align 4
+  %.3158 = sext i32 %.3156 to i64
+  %.3159 = getelementptr double, ptr %.223, i64 %.3158
+  %.3160 = load double, ptr %.3159, align 8
+  %.3161 = fmul contract double %.3153, %.3160
+  %.3164 = add nsw i64 %.3053.0949, %.126
+  %.3166 = getelementptr double, ptr %.217, i64 %.3164
+  store double %.3161, ptr %.3166, align 8
+  %.3173 = getelementptr double, ptr %.232, i64 %.3158
+  %.3174 = load double, ptr %.3173, align 8
+  %.3181 = load double, ptr %.3152, align 8
+  %.3186 = getelementptr double, ptr %.211, i64 %.3164
+  %.3187 = load double, ptr %.3186, align 8
+  %.3188 = fmul contract double %.3181, %.3187
+  %.3189 = fadd contract double %.3174, %.3188
+  store double %.3189, ptr %.3173, align 8
+  %exitcond1199.not = icmp eq i64 %.118, %.3122
+  br i1 %exitcond1199.not, label %B3890, label %B3710.if
 
-B3850.if:
-  %.3150 = icmp sgt i32 %.3142, 0
-  %.3143 = load ptr, ptr %excinfo.25, align 8
-  %.3151 = select i1 %.3150, ptr %.3143, ptr undef
-  store ptr %.3151, ptr %excinfo, align 8
+B3890.if:
+  %.3215 = icmp sgt i32 %.3207, 0
+  %.3208 = load ptr, ptr %excinfo.25, align 8
+  %.3216 = select i1 %.3215, ptr %.3208, ptr undef
+  store ptr %.3216, ptr %excinfo, align 8
   br label %common.ret
 
-B3850.endif:
-  store double %.391, ptr %.3167, align 8
-  store ptr null, ptr %.3180, align 8
-  %.3184 = call i32 @drive.6(ptr nonnull %.3180, ptr nonnull %excinfo.26, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.238, ptr %.246)
-  switch i32 %.3184, label %B3850.endif.if [
-    i32 -2, label %B3850.endif.endif
-    i32 0, label %B3850.endif.endif
+B3890.endif:
+  store double %.393, ptr %.3232, align 8
+  store ptr null, ptr %.3245, align 8
+  %.3249 = call i32 @drive.6(ptr nonnull %.3245, ptr nonnull %excinfo.26, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.241, ptr %.249)
+  switch i32 %.3249, label %B3890.endif.if [
+    i32 -2, label %B3890.endif.endif
+    i32 0, label %B3890.endif.endif
   ]
 
-B3850.endif.if:
-  %.3192 = icmp sgt i32 %.3184, 0
-  %.3185 = load ptr, ptr %excinfo.26, align 8
-  %.3193 = select i1 %.3192, ptr %.3185, ptr undef
-  store ptr %.3193, ptr %excinfo, align 8
+B3890.endif.if:
+  %.3257 = icmp sgt i32 %.3249, 0
+  %.3250 = load ptr, ptr %excinfo.26, align 8
+  %.3258 = select i1 %.3257, ptr %.3250, ptr undef
+  store ptr %.3258, ptr %excinfo, align 8
   br label %common.ret
 
-B3850.endif.endif:
-  br i1 %.3285950, label %B3974.if.preheader, label %B3990
+B3890.endif.endif:
+  br i1 %.3350951, label %B4014.if.preheader, label %B4030
 
-B3974.if.preheader:
+B4014.if.preheader:
   call void @llvm.memset.p0.i64(ptr align 8 %arg.Y_bar, i8 0, i64 %29, i1 false)
-  br label %B3990
+  br label %B4030
 
-B3990.if:
-  %.3355 = icmp sgt i32 %.3347, 0
-  %.3348 = load ptr, ptr %excinfo.27, align 8
-  %.3356 = select i1 %.3355, ptr %.3348, ptr undef
-  store ptr %.3356, ptr %excinfo, align 8
+B4030.if:
+  %.3420 = icmp sgt i32 %.3412, 0
+  %.3413 = load ptr, ptr %excinfo.27, align 8
+  %.3421 = select i1 %.3420, ptr %.3413, ptr undef
+  store ptr %.3421, ptr %excinfo, align 8
   br label %common.ret
 
-B3990.endif:
-  store ptr null, ptr %.3379, align 8
-  %.3383 = call i32 @pull_jacobian.55(ptr nonnull %.3379, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.214, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.238, ptr %.246)
-  switch i32 %.3383, label %B3990.endif.if [
-    i32 -2, label %B3990.endif.endif
-    i32 0, label %B3990.endif.endif
+B4030.endif:
+  store ptr null, ptr %.3444, align 8
+  %.3448 = call i32 @pull_jacobian.56(ptr nonnull %.3444, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.217, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
+  switch i32 %.3448, label %B4030.endif.if [
+    i32 -2, label %B4030.endif.endif
+    i32 0, label %B4030.endif.endif
   ]
 
-B3990.endif.if:
-  %.3391 = icmp sgt i32 %.3383, 0
-  %.3384 = load ptr, ptr %excinfo.28, align 8
-  %.3392 = select i1 %.3391, ptr %.3384, ptr undef
-  store ptr %.3392, ptr %excinfo, align 8
+B4030.endif.if:
+  %.3456 = icmp sgt i32 %.3448, 0
+  %.3449 = load ptr, ptr %excinfo.28, align 8
+  %.3457 = select i1 %.3456, ptr %.3449, ptr undef
+  store ptr %.3457, ptr %excinfo, align 8
   br label %common.ret
 
-B3990.endif.endif:
-  store ptr null, ptr %.3415, align 8
-  %.3419 = call i32 @drives_bar.40(ptr nonnull %.3415, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.229, ptr %.238, ptr %.246)
-  switch i32 %.3419, label %B3990.endif.endif.if [
-    i32 -2, label %B3990.endif.endif.endif
-    i32 0, label %B3990.endif.endif.endif
+B4030.endif.endif:
+  store ptr null, ptr %.3480, align 8
+  %.3484 = call i32 @drives_bar.41(ptr nonnull %.3480, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.232, ptr %.241, ptr %.249)
+  switch i32 %.3484, label %B4030.endif.endif.if [
+    i32 -2, label %B4030.endif.endif.endif
+    i32 0, label %B4030.endif.endif.endif
   ]
 
-B3990.endif.endif.if:
-  %.3427 = icmp sgt i32 %.3419, 0
-  %.3420 = load ptr, ptr %excinfo.29, align 8
-  %.3428 = select i1 %.3427, ptr %.3420, ptr undef
-  store ptr %.3428, ptr %excinfo, align 8
+B4030.endif.endif.if:
+  %.3492 = icmp sgt i32 %.3484, 0
+  %.3485 = load ptr, ptr %excinfo.29, align 8
+  %.3493 = select i1 %.3492, ptr %.3485, ptr undef
+  store ptr %.3493, ptr %excinfo, align 8
   br label %common.ret
 
-B3990.endif.endif.endif:
-  %.3442 = load double, ptr %.3441, align 8
-  %.3444 = fadd contract double %.1898, %.3442
-  store ptr null, ptr %.3454, align 8
-  %.3458 = call i32 @copy.27(ptr nonnull %.3454, ptr nonnull %excinfo.30, i64 %.98, ptr %.178, ptr %arg.y_bar)
-  switch i32 %.3458, label %B3990.endif.endif.endif.if [
-    i32 -2, label %B3990.endif.endif.endif.endif
-    i32 0, label %B3990.endif.endif.endif.endif
+B4030.endif.endif.endif:
+  %.3507 = load double, ptr %.3506, align 8
+  %.3509 = fadd contract double %.1963, %.3507
+  store ptr null, ptr %.3519, align 8
+  %.3523 = call i32 @copy.27(ptr nonnull %.3519, ptr nonnull %excinfo.30, i64 %.101, ptr %.181, ptr %arg.y_bar)
+  switch i32 %.3523, label %B4030.endif.endif.endif.if [
+    i32 -2, label %B4030.endif.endif.endif.endif
+    i32 0, label %B4030.endif.endif.endif.endif
   ]
 
-B3990.endif.endif.endif.if:
-  %.3466 = icmp sgt i32 %.3458, 0
-  %.3459 = load ptr, ptr %excinfo.30, align 8
-  %.3467 = select i1 %.3466, ptr %.3459, ptr undef
-  store ptr %.3467, ptr %excinfo, align 8
+B4030.endif.endif.endif.if:
+  %.3531 = icmp sgt i32 %.3523, 0
+  %.3524 = load ptr, ptr %excinfo.30, align 8
+  %.3532 = select i1 %.3531, ptr %.3524, ptr undef
+  store ptr %.3532, ptr %excinfo, align 8
   br label %common.ret
 
-B3990.endif.endif.endif.endif:
-  store ptr null, ptr %.3482, align 8
-  %.3486 = call i32 @add_scaled.29(ptr nonnull %.3482, ptr nonnull %excinfo.31, i64 %.98, double 1.000000e+00, ptr %arg.Y_bar, ptr %arg.y_bar)
-  switch i32 %.3486, label %B3990.endif.endif.endif.endif.if [
-    i32 -2, label %B3990.endif.endif.endif.endif.endif
-    i32 0, label %B3990.endif.endif.endif.endif.endif
+B4030.endif.endif.endif.endif:
+  store ptr null, ptr %.3547, align 8
+  %.3551 = call i32 @add_scaled.29(ptr nonnull %.3547, ptr nonnull %excinfo.31, i64 %.101, double 1.000000e+00, ptr %arg.Y_bar, ptr %arg.y_bar)
+  switch i32 %.3551, label %B4030.endif.endif.endif.endif.if [
+    i32 -2, label %B4030.endif.endif.endif.endif.endif
+    i32 0, label %B4030.endif.endif.endif.endif.endif
   ]
 
-B3990.endif.endif.endif.endif.if:
-  %.3494 = icmp sgt i32 %.3486, 0
-  %.3487 = load ptr, ptr %excinfo.31, align 8
-  %.3495 = select i1 %.3494, ptr %.3487, ptr undef
-  store ptr %.3495, ptr %excinfo, align 8
+B4030.endif.endif.endif.endif.if:
+  %.3559 = icmp sgt i32 %.3551, 0
+  %.3552 = load ptr, ptr %excinfo.31, align 8
+  %.3560 = select i1 %.3559, ptr %.3552, ptr undef
+  store ptr %.3560, ptr %excinfo, align 8
   br label %common.ret
 
-B3990.endif.endif.endif.endif.endif:
-  %.3507 = icmp eq i64 %.326.sroa.0.0960, 0
-  br i1 %.3507, label %B4246, label %B4278
+B4030.endif.endif.endif.endif.endif:
+  %.3572 = icmp eq i64 %.329.sroa.0.0961, 0
+  br i1 %.3572, label %B4286, label %B4318
 }
 
-define internal i32 @replay.48(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @replay.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, i64 %arg.step_length, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
-  %.42 = alloca ptr, align 8
-  store ptr null, ptr %.42, align 8
+  %.116 = alloca ptr, align 8
+  store ptr null, ptr %.116, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.78 = alloca ptr, align 8
-  store ptr null, ptr %.78, align 8
+  %.159 = alloca ptr, align 8
+  store ptr null, ptr %.159, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.103 = alloca i64, align 8
-  store i64 0, ptr %.103, align 8
+  %.189 = alloca i64, align 8
+  store i64 0, ptr %.189, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.128 = alloca ptr, align 8
-  store ptr null, ptr %.128, align 8
+  %.269 = alloca ptr, align 8
+  store ptr null, ptr %.269, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.158 = alloca ptr, align 8
-  store ptr null, ptr %.158, align 8
+  %.417 = alloca ptr, align 8
+  store ptr null, ptr %.417, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.186 = alloca ptr, align 8
-  store ptr null, ptr %.186, align 8
+  %.480 = alloca ptr, align 8
+  store ptr null, ptr %.480, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.35 = load i64, ptr %arg.layout, align 8
-  %.37 = load double, ptr %arg.step, align 8
-  %.38 = getelementptr i8, ptr %arg.step, i64 8
-  %.39 = load double, ptr %.38, align 8
-  %.40 = getelementptr i8, ptr %arg.step, i64 24
-  store ptr null, ptr %.42, align 8
-  %.46 = call i32 @linearise.22(ptr nonnull %.42, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.37, ptr %.40, ptr %arg.Y, ptr %arg.J, ptr %arg.rates, ptr %arg.drift, ptr %arg.local, ptr %arg.out)
-  switch i32 %.46, label %B0.if [
+  %.564 = alloca ptr, align 8
+  store ptr null, ptr %.564, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.597 = alloca ptr, align 8
+  store ptr null, ptr %.597, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.83 = load i64, ptr %arg.layout, align 8
+  %.89 = load double, ptr %arg.step, align 8
+  %.91 = getelementptr i8, ptr %arg.step, i64 8
+  %.92 = load double, ptr %.91, align 8
+  %.94 = getelementptr i8, ptr %arg.step, i64 24
+  store ptr null, ptr %.116, align 8
+  %.120 = call i32 @linearise.22(ptr nonnull %.116, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, double %.89, ptr %.94, ptr %arg.Y, ptr %arg.J, ptr %arg.rates, ptr %arg.drift, ptr %arg.local, ptr %arg.out)
+  switch i32 %.120, label %B0.if [
     i32 -2, label %B0.endif
     i32 0, label %B0.endif
   ]
 
+B320:
+  %.261 = shl nsw i64 %.83, 3
+  %.265 = getelementptr double, ptr %arg.step, i64 %.214
+  store ptr null, ptr %.269, align 8
+  %.273 = call i32 @copy.27(ptr nonnull %.269, ptr nonnull %excinfo.4, i64 %.261, ptr %.265, ptr %arg.stages)
+  switch i32 %.273, label %B320.if [
+    i32 -2, label %B454.if.preheader
+    i32 0, label %B454.if.preheader
+  ]
+
+B454.if.preheader:
+  br label %B454.if
+
+B504:
+  store ptr null, ptr %.480, align 8
+  %.484 = call i32 @solve_stages.57(ptr nonnull %.480, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.89, double %.92, ptr %.94, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.83, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
+  switch i32 %.484, label %B504.if [
+    i32 -2, label %B584
+    i32 0, label %B584
+  ]
+
+B584:
+  %.554.idx = shl i64 %.83, 6
+  %.554 = getelementptr i8, ptr %arg.places, i64 %.554.idx
+  %.558 = mul nsw i64 %.83, 7
+  %.560 = getelementptr double, ptr %arg.places, i64 %.558
+  store ptr null, ptr %.564, align 8
+  %.568 = call i32 @copy.27(ptr nonnull %.564, ptr nonnull %excinfo.7, i64 %.83, ptr %.560, ptr %.554)
+  switch i32 %.568, label %B584.if [
+    i32 -2, label %B584.endif
+    i32 0, label %B584.endif
+  ]
+
 B0.if:
-  %.54 = icmp sgt i32 %.46, 0
-  %.47 = load ptr, ptr %excinfo.1, align 8
-  %.55 = select i1 %.54, ptr %.47, ptr undef
-  store ptr %.55, ptr %excinfo, align 8
+  %.128 = icmp sgt i32 %.120, 0
+  %.121 = load ptr, ptr %excinfo.1, align 8
+  %.129 = select i1 %.128, ptr %.121, ptr undef
+  store ptr %.129, ptr %excinfo, align 8
   br label %common.ret
 
 B0.endif:
-  %.69 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
-  %.70 = load i32, ptr %.69, align 4
-  %.71 = getelementptr i8, ptr %arg.method, i64 1344
-  %.72 = load double, ptr %.71, align 8
-  %.73 = fmul contract double %.39, %.72
-  %.77 = fdiv contract double 1.000000e+00, %.73
-  store ptr null, ptr %.78, align 8
-  %.82 = call i32 @lu_fill.23(ptr nonnull %.78, ptr nonnull %excinfo.2, i64 %.35, i32 %.70, ptr %arg.J, ptr %arg.own, ptr %arg.mass, double %.77, ptr %arg.lu)
-  switch i32 %.82, label %B0.endif.endif.if [
+  %.145 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.146 = load i32, ptr %.145, align 4
+  %.148 = getelementptr i8, ptr %arg.method, i64 1344
+  %.149 = load double, ptr %.148, align 8
+  %.151 = fmul contract double %.92, %.149
+  %.155 = fdiv contract double 1.000000e+00, %.151
+  store ptr null, ptr %.159, align 8
+  %.163 = call i32 @lu_fill.23(ptr nonnull %.159, ptr nonnull %excinfo.2, i64 %.83, i32 %.146, ptr %arg.J, ptr %arg.own, ptr %arg.mass, double %.155, ptr %arg.lu)
+  switch i32 %.163, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
   ]
 
 common.ret:
-  %common.ret.op = phi i32 [ %.162, %B0.endif.endif.endif.endif.endif.if ], [ %.46, %B0.if ], [ %.82, %B0.endif.endif.if ], [ %.107, %B0.endif.endif.endif.if ], [ %.132, %B0.endif.endif.endif.endif.if ], [ 0, %B0.endif.endif.endif.endif.endif.endif.endif ], [ %.190, %B0.endif.endif.endif.endif.endif.endif.if ]
+  %common.ret.op = phi i32 [ %.568, %B584.if ], [ %.120, %B0.if ], [ %.163, %B0.endif.endif.if ], [ %.193, %B0.endif.endif.endif.if ], [ %.601, %B584.endif.if ], [ %.273, %B320.if ], [ %.421, %B456.if ], [ %.484, %B504.if ], [ 0, %B584.endif.endif ]
   ret i32 %common.ret.op
 
 B0.endif.endif.if:
-  %.90 = icmp sgt i32 %.82, 0
-  %.83 = load ptr, ptr %excinfo.2, align 8
-  %.91 = select i1 %.90, ptr %.83, ptr undef
-  store ptr %.91, ptr %excinfo, align 8
+  %.171 = icmp sgt i32 %.163, 0
+  %.164 = load ptr, ptr %excinfo.2, align 8
+  %.172 = select i1 %.171, ptr %.164, ptr undef
+  store ptr %.172, ptr %excinfo, align 8
   br label %common.ret
 
 B0.endif.endif.endif:
-  store i64 0, ptr %.103, align 8
-  %.107 = call i32 @lu_factor.17(ptr nonnull %.103, ptr nonnull %excinfo.3, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.row)
-  switch i32 %.107, label %B0.endif.endif.endif.if [
+  store i64 0, ptr %.189, align 8
+  %.193 = call i32 @lu_factor.17(ptr nonnull %.189, ptr nonnull %excinfo.3, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.row)
+  switch i32 %.193, label %B0.endif.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif.endif
     i32 0, label %B0.endif.endif.endif.endif
   ]
 
 B0.endif.endif.endif.if:
-  %.115 = icmp sgt i32 %.107, 0
-  %.108 = load ptr, ptr %excinfo.3, align 8
-  %.116 = select i1 %.115, ptr %.108, ptr undef
-  store ptr %.116, ptr %excinfo, align 8
+  %.201 = icmp sgt i32 %.193, 0
+  %.194 = load ptr, ptr %excinfo.3, align 8
+  %.202 = select i1 %.201, ptr %.194, ptr undef
+  store ptr %.202, ptr %excinfo, align 8
   br label %common.ret
 
 B0.endif.endif.endif.endif:
-  store ptr null, ptr %.128, align 8
-  %.132 = call i32 @solve_stages.56(ptr nonnull %.128, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.37, double %.39, ptr %.40, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.35, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
-  switch i32 %.132, label %B0.endif.endif.endif.endif.if [
-    i32 -2, label %B0.endif.endif.endif.endif.endif
-    i32 0, label %B0.endif.endif.endif.endif.endif
-  ]
+  %.214 = add nsw i64 %.83, 3
+  %.215 = icmp sgt i64 %arg.step_length, %.214
+  br i1 %.215, label %B320, label %B504
 
-B0.endif.endif.endif.endif.if:
-  %.140 = icmp sgt i32 %.132, 0
-  %.133 = load ptr, ptr %excinfo.4, align 8
-  %.141 = select i1 %.140, ptr %.133, ptr undef
-  store ptr %.141, ptr %excinfo, align 8
+B320.if:
+  %.281 = icmp sgt i32 %.273, 0
+  %.274 = load ptr, ptr %excinfo.4, align 8
+  %.282 = select i1 %.281, ptr %.274, ptr undef
+  store ptr %.282, ptr %excinfo, align 8
   br label %common.ret
 
-B0.endif.endif.endif.endif.endif:
-  %.153.idx = shl i64 %.35, 6
-  %.153 = getelementptr i8, ptr %arg.places, i64 %.153.idx
-  %.156 = mul nsw i64 %.35, 7
-  %.157 = getelementptr double, ptr %arg.places, i64 %.156
-  store ptr null, ptr %.158, align 8
-  %.162 = call i32 @copy.27(ptr nonnull %.158, ptr nonnull %excinfo.5, i64 %.35, ptr %.157, ptr %.153)
-  switch i32 %.162, label %B0.endif.endif.endif.endif.endif.if [
-    i32 -2, label %B0.endif.endif.endif.endif.endif.endif
-    i32 0, label %B0.endif.endif.endif.endif.endif.endif
+B454.if:
+  %.316.059 = phi i64 [ %.385, %B456.endif ], [ 0, %B454.if.preheader ]
+  store ptr null, ptr %.417, align 8
+  %.421 = call i32 @set_place.58(ptr nonnull %.417, ptr nonnull %excinfo.5, i64 %.83, i64 %.316.059, ptr %arg.method, ptr %.94, ptr %arg.stages, ptr %arg.places, i64 %.83)
+  switch i32 %.421, label %B456.if [
+    i32 -2, label %B456.endif
+    i32 0, label %B456.endif
   ]
 
-B0.endif.endif.endif.endif.endif.if:
-  %.170 = icmp sgt i32 %.162, 0
-  %.163 = load ptr, ptr %excinfo.5, align 8
-  %.171 = select i1 %.170, ptr %.163, ptr undef
-  store ptr %.171, ptr %excinfo, align 8
+B456.if:
+  %.429 = icmp sgt i32 %.421, 0
+  %.422 = load ptr, ptr %excinfo.5, align 8
+  %.430 = select i1 %.429, ptr %.422, ptr undef
+  store ptr %.430, ptr %excinfo, align 8
   br label %common.ret
 
-B0.endif.endif.endif.endif.endif.endif:
-  %.185 = getelementptr double, ptr %arg.stages, i64 %.156
-  store ptr null, ptr %.186, align 8
-  %.190 = call i32 @add_scaled.29(ptr nonnull %.186, ptr nonnull %excinfo.6, i64 %.35, double 1.000000e+00, ptr %.185, ptr %.153)
-  switch i32 %.190, label %B0.endif.endif.endif.endif.endif.endif.if [
-    i32 -2, label %B0.endif.endif.endif.endif.endif.endif.endif
-    i32 0, label %B0.endif.endif.endif.endif.endif.endif.endif
+B456.endif:
+  %.385 = add nuw nsw i64 %.316.059, 1
+  %exitcond.not = icmp eq i64 %.385, 8
+  br i1 %exitcond.not, label %B584, label %B454.if
+
+B504.if:
+  %.492 = icmp sgt i32 %.484, 0
+  %.485 = load ptr, ptr %excinfo.6, align 8
+  %.493 = select i1 %.492, ptr %.485, ptr undef
+  store ptr %.493, ptr %excinfo, align 8
+  br label %common.ret
+
+B584.if:
+  %.576 = icmp sgt i32 %.568, 0
+  %.569 = load ptr, ptr %excinfo.7, align 8
+  %.577 = select i1 %.576, ptr %.569, ptr undef
+  store ptr %.577, ptr %excinfo, align 8
+  br label %common.ret
+
+B584.endif:
+  %.593 = getelementptr double, ptr %arg.stages, i64 %.558
+  store ptr null, ptr %.597, align 8
+  %.601 = call i32 @add_scaled.29(ptr nonnull %.597, ptr nonnull %excinfo.8, i64 %.83, double 1.000000e+00, ptr %.593, ptr %.554)
+  switch i32 %.601, label %B584.endif.if [
+    i32 -2, label %B584.endif.endif
+    i32 0, label %B584.endif.endif
   ]
 
-B0.endif.endif.endif.endif.endif.endif.if:
-  %.198 = icmp sgt i32 %.190, 0
-  %.191 = load ptr, ptr %excinfo.6, align 8
-  %.199 = select i1 %.198, ptr %.191, ptr undef
-  store ptr %.199, ptr %excinfo, align 8
+B584.endif.if:
+  %.609 = icmp sgt i32 %.601, 0
+  %.602 = load ptr, ptr %excinfo.8, align 8
+  %.610 = select i1 %.609, ptr %.602, ptr undef
+  store ptr %.610, ptr %excinfo, align 8
   br label %common.ret
 
-B0.endif.endif.endif.endif.endif.endif.endif:
+B584.endif.endif:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
 
-define internal i32 @first_edge_in.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
+define internal i32 @first_edge_in.50(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
 entry:
   %.19 = icmp sgt i64 %arg.stop, 0
   br i1 %.19, label %B20, label %B114
@@ -7001,7 +7111,7 @@ B114:
   ret i32 0
 }
 
-define internal i32 @part_done.53(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
+define internal i32 @part_done.54(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
 entry:
   %.20 = alloca double, align 8
   store double 0.000000e+00, ptr %.20, align 8
@@ -7037,7 +7147,7 @@ B0.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @dense_weight.54(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
+define internal i32 @dense_weight.55(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
 entry:
   %0 = getelementptr double, ptr %arg.method, i64 %arg.j
   %.9 = getelementptr i8, ptr %0, i64 1216
@@ -7057,7 +7167,7 @@ entry:
   ret i32 0
 }
 
-define internal i32 @dense_rate.50(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
+define internal i32 @dense_rate.51(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
 entry:
   %.327 = alloca ptr, align 8
   store ptr null, ptr %.327, align 8
@@ -7134,7 +7244,7 @@ B122.endif:
   br i1 %exitcond78.not, label %B422, label %B120.if
 }
 
-define internal i32 @dot.51(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+define internal i32 @dot.52(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B84, label %B38.if
@@ -7158,7 +7268,7 @@ B38.if:
   br i1 %exitcond.not, label %B84, label %B38.if
 }
 
-define internal i32 @pull_drive.52(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_drive.53(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.190 = alloca ptr, align 8
   store ptr null, ptr %.190, align 8
@@ -7194,7 +7304,7 @@ B56.if:
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
   store ptr null, ptr %.190, align 8
-  %.194 = call i32 @pull.57(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.194 = call i32 @pull.59(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.194, label %B58.if [
     i32 -2, label %B58.endif
     i32 0, label %B58.endif
@@ -7213,7 +7323,7 @@ B58.endif:
   br i1 %exitcond.not, label %B266, label %B56.if
 }
 
-define internal i32 @pull_jacobian.55(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_jacobian.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.363 = alloca ptr, align 8
   store ptr null, ptr %.363, align 8
@@ -7239,7 +7349,7 @@ B422:
   %.349 = getelementptr i8, ptr %2, i64 40
   %.350 = load i64, ptr %.349, align 8
   store ptr null, ptr %.363, align 8
-  %.367 = call i32 @pull.57(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.367 = call i32 @pull.59(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.367, label %B422.if [
     i32 -2, label %B509
     i32 0, label %B509
@@ -7294,7 +7404,7 @@ B422.if:
   br label %common.ret
 }
 
-define internal i32 @pull.57(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull.59(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.229 = alloca ptr, align 8
   store ptr null, ptr %.229, align 8
@@ -7427,499 +7537,533 @@ B626.if:
   br i1 %exitcond.not, label %B240.loopexit, label %B626.if
 }
 
-define internal i32 @solve_stages.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @set_place.58(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.i, ptr noalias %arg.method, ptr noalias %arg.y, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride) noinline {
 entry:
-  %.226 = alloca ptr, align 8
-  store ptr null, ptr %.226, align 8
+  %.44 = alloca ptr, align 8
+  store ptr null, ptr %.44, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.381 = alloca ptr, align 8
-  store ptr null, ptr %.381, align 8
+  %.203 = alloca ptr, align 8
+  store ptr null, ptr %.203, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.423 = alloca ptr, align 8
-  store ptr null, ptr %.423, align 8
+  %.264 = alloca ptr, align 8
+  store ptr null, ptr %.264, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.457 = alloca ptr, align 8
-  store ptr null, ptr %.457, align 8
+  %.306 = alloca ptr, align 8
+  store ptr null, ptr %.306, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.486 = alloca ptr, align 8
-  store ptr null, ptr %.486, align 8
-  %excinfo.5 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.5, align 8
-  %.538 = alloca ptr, align 8
-  store ptr null, ptr %.538, align 8
-  %excinfo.6 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.6, align 8
-  %.572 = alloca ptr, align 8
-  store ptr null, ptr %.572, align 8
-  %excinfo.7 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.7, align 8
-  %.609 = alloca ptr, align 8
-  store ptr null, ptr %.609, align 8
-  %excinfo.8 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.8, align 8
-  %.651 = alloca ptr, align 8
-  store ptr null, ptr %.651, align 8
-  %excinfo.9 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.9, align 8
-  %.697 = alloca ptr, align 8
-  store ptr null, ptr %.697, align 8
-  %excinfo.10 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.10, align 8
-  %.84 = load i64, ptr %arg.layout, align 8
-  %.412.not = icmp eq i64 %arg.stride, 0
-  %.522 = getelementptr i8, ptr %arg.layout, i64 8
-  %0 = getelementptr double, ptr %arg.Y, i64 %.84
-  br label %B72.if
+  %.27 = mul nsw i64 %arg.stride, %arg.i
+  %.29 = getelementptr double, ptr %arg.place_, i64 %.27
+  %.34 = icmp slt i64 %arg.i, 6
+  br i1 %.34, label %B64, label %B232
 
-B136:
-  store ptr null, ptr %.226, align 8
-  %.230 = call i32 @copy.27(ptr nonnull %.226, ptr nonnull %excinfo.1, i64 %.84, ptr %arg.y, ptr %.215)
-  switch i32 %.230, label %B136.if [
-    i32 -2, label %B136.endif
-    i32 0, label %B136.endif
-  ]
-
-B302:
-  br i1 %.412.not, label %B388, label %B314
-
-B314:
-  %.416 = add nsw i64 %.111.0126, -1
-  %.418 = mul nsw i64 %.416, %arg.stride
-  %.420 = getelementptr double, ptr %arg.place_, i64 %.418
-  store ptr null, ptr %.423, align 8
-  %.427 = call i32 @copy.27(ptr nonnull %.423, ptr nonnull %excinfo.3, i64 %.84, ptr %.420, ptr %.215)
-  switch i32 %.427, label %B314.if [
-    i32 -2, label %B388
-    i32 0, label %B388
-  ]
-
-B388:
-  %.450 = add nsw i64 %.111.0126, -1
-  %.452 = mul nsw i64 %.450, %.84
-  %.454 = getelementptr double, ptr %arg.stages, i64 %.452
-  store ptr null, ptr %.457, align 8
-  %.461 = call i32 @add_scaled.29(ptr nonnull %.457, ptr nonnull %excinfo.4, i64 %.84, double 1.000000e+00, ptr %.454, ptr %.215)
-  switch i32 %.461, label %B388.if [
-    i32 -2, label %B464
-    i32 0, label %B464
-  ]
-
-B464:
-  store ptr null, ptr %.486, align 8
-  %.490 = call i32 @copy.27(ptr nonnull %.486, ptr nonnull %excinfo.5, i64 %.84, ptr %.215, ptr %arg.Y)
-  switch i32 %.490, label %B464.if [
-    i32 -2, label %B464.endif
-    i32 0, label %B464.endif
-  ]
-
-B810:
-  store ptr null, ptr %.651, align 8
-  %.655 = call i32 @add_scaled.29(ptr nonnull %.651, ptr nonnull %excinfo.9, i64 %.84, double %.639, ptr %arg.drift, ptr %arg.right)
-  switch i32 %.655, label %B810.if [
-    i32 -2, label %B846
-    i32 0, label %B846
-  ]
-
-B846:
-  %.682 = mul nsw i64 %.111.0126, %.84
-  %.686 = getelementptr double, ptr %arg.stages, i64 %.682
-  store ptr null, ptr %.697, align 8
-  %.701 = call i32 @lu_solve.19(ptr nonnull %.697, ptr nonnull %excinfo.10, i64 %.84, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.right, ptr %.686, ptr %arg.x)
-  switch i32 %.701, label %B846.if [
-    i32 -2, label %B846.endif
-    i32 0, label %B846.endif
+B64:
+  store ptr null, ptr %.44, align 8
+  %.48 = call i32 @copy.27(ptr nonnull %.44, ptr nonnull %excinfo.1, i64 %arg.n, ptr %arg.y, ptr %.29)
+  switch i32 %.48, label %B64.if [
+    i32 -2, label %B64.endif
+    i32 0, label %B64.endif
   ]
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B936 ], [ %.701, %B846.if ], [ %.655, %B810.if ], [ %.613, %B464.endif.endif.endif.if ], [ %.230, %B136.if ], [ %.385, %B202.if ], [ %.427, %B314.if ], [ %.461, %B388.if ], [ %.490, %B464.if ], [ %.542, %B464.endif.if ], [ %.576, %B464.endif.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B228 ], [ %.268, %B244.if ], [ %.310, %B318.if ], [ %.48, %B64.if ], [ %.207, %B130.if ], [ 0, %B318.endif ]
   ret i32 %common.ret.op
 
-B936:
+B228:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B232:
+  %.249.not = icmp eq i64 %arg.stride, 0
+  br i1 %.249.not, label %B318, label %B244
+
+B244:
+  %.253 = add nsw i64 %arg.i, -1
+  %.255 = mul nsw i64 %arg.stride, %.253
+  %.259 = getelementptr double, ptr %arg.place_, i64 %.255
+  store ptr null, ptr %.264, align 8
+  %.268 = call i32 @copy.27(ptr nonnull %.264, ptr nonnull %excinfo.3, i64 %arg.n, ptr %.259, ptr %.29)
+  switch i32 %.268, label %B244.if [
+    i32 -2, label %B318
+    i32 0, label %B318
+  ]
+
+B318:
+  %.295 = add nsw i64 %arg.i, -1
+  %.299 = mul nsw i64 %.295, %arg.n
+  %.301 = getelementptr double, ptr %arg.stages, i64 %.299
+  store ptr null, ptr %.306, align 8
+  %.310 = call i32 @add_scaled.29(ptr nonnull %.306, ptr nonnull %excinfo.4, i64 %arg.n, double 1.000000e+00, ptr %.301, ptr %.29)
+  switch i32 %.310, label %B318.if [
+    i32 -2, label %B318.endif
+    i32 0, label %B318.endif
+  ]
+
+B64.if:
+  %.56 = icmp sgt i32 %.48, 0
+  %.49 = load ptr, ptr %excinfo.1, align 8
+  %.57 = select i1 %.56, ptr %.49, ptr undef
+  store ptr %.57, ptr %excinfo, align 8
+  br label %common.ret
+
+B64.endif:
+  %.15257.not = icmp slt i64 %arg.i, 1
+  br i1 %.15257.not, label %B228, label %B128.if.lr.ph
+
+B128.if.lr.ph:
+  %.idx = shl nuw nsw i64 %arg.i, 6
+  %0 = getelementptr i8, ptr %arg.method, i64 %.idx
+  br label %B128.if
+
+B128.if:
+  %.96.058 = phi i64 [ 0, %B128.if.lr.ph ], [ %.165, %B130.endif ]
+  %.195 = getelementptr double, ptr %0, i64 %.96.058
+  %.196 = load double, ptr %.195, align 8
+  %.198 = mul nsw i64 %.96.058, %arg.n
+  %.200 = getelementptr double, ptr %arg.stages, i64 %.198
+  store ptr null, ptr %.203, align 8
+  %.207 = call i32 @add_scaled.29(ptr nonnull %.203, ptr nonnull %excinfo.2, i64 %arg.n, double %.196, ptr %.200, ptr %.29)
+  switch i32 %.207, label %B130.if [
+    i32 -2, label %B130.endif
+    i32 0, label %B130.endif
+  ]
+
+B130.if:
+  %.215 = icmp sgt i32 %.207, 0
+  %.208 = load ptr, ptr %excinfo.2, align 8
+  %.216 = select i1 %.215, ptr %.208, ptr undef
+  store ptr %.216, ptr %excinfo, align 8
+  br label %common.ret
+
+B130.endif:
+  %.165 = add nuw nsw i64 %.96.058, 1
+  %exitcond.not = icmp eq i64 %.165, %arg.i
+  br i1 %exitcond.not, label %B228, label %B128.if
+
+B244.if:
+  %.276 = icmp sgt i32 %.268, 0
+  %.269 = load ptr, ptr %excinfo.3, align 8
+  %.277 = select i1 %.276, ptr %.269, ptr undef
+  store ptr %.277, ptr %excinfo, align 8
+  br label %common.ret
+
+B318.if:
+  %.318 = icmp sgt i32 %.310, 0
+  %.311 = load ptr, ptr %excinfo.4, align 8
+  %.319 = select i1 %.318, ptr %.311, ptr undef
+  store ptr %.319, ptr %excinfo, align 8
+  br label %common.ret
+
+B318.endif:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+define internal i32 @solve_stages.57(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+entry:
+  %.219 = alloca ptr, align 8
+  store ptr null, ptr %.219, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.251 = alloca ptr, align 8
+  store ptr null, ptr %.251, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.301 = alloca ptr, align 8
+  store ptr null, ptr %.301, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.335 = alloca ptr, align 8
+  store ptr null, ptr %.335, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.372 = alloca ptr, align 8
+  store ptr null, ptr %.372, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.414 = alloca ptr, align 8
+  store ptr null, ptr %.414, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.460 = alloca ptr, align 8
+  store ptr null, ptr %.460, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.84 = load i64, ptr %arg.layout, align 8
+  %.285 = getelementptr i8, ptr %arg.layout, i64 8
+  %0 = getelementptr double, ptr %arg.Y, i64 %.84
+  br label %B72.if
+
+B498:
+  store ptr null, ptr %.414, align 8
+  %.418 = call i32 @add_scaled.29(ptr nonnull %.414, ptr nonnull %excinfo.6, i64 %.84, double %.402, ptr %arg.drift, ptr %arg.right)
+  switch i32 %.418, label %B498.if [
+    i32 -2, label %B534
+    i32 0, label %B534
+  ]
+
+B534:
+  %.445 = mul nsw i64 %.111.080, %.84
+  %.449 = getelementptr double, ptr %arg.stages, i64 %.445
+  store ptr null, ptr %.460, align 8
+  %.464 = call i32 @lu_solve.19(ptr nonnull %.460, ptr nonnull %excinfo.7, i64 %.84, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.lu, ptr %arg.right, ptr %.449, ptr %arg.x)
+  switch i32 %.464, label %B534.if [
+    i32 -2, label %B534.endif
+    i32 0, label %B534.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B624 ], [ %.464, %B534.if ], [ %.418, %B498.if ], [ %.223, %B74.if ], [ %.255, %B74.endif.if ], [ %.305, %B74.endif.endif.if ], [ %.339, %B74.endif.endif.endif.if ], [ %.376, %B74.endif.endif.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B624:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
 B72.if:
-  %.111.0126 = phi i64 [ 0, %entry ], [ %.183, %B846.endif ]
-  %.183 = add nuw nsw i64 %.111.0126, 1
-  %.213 = mul nsw i64 %.111.0126, %arg.stride
-  %.215 = getelementptr double, ptr %arg.place_, i64 %.213
-  %.220 = icmp samesign ult i64 %.111.0126, 6
-  br i1 %.220, label %B136, label %B302
-
-B136.if:
-  %.238 = icmp sgt i32 %.230, 0
-  %.231 = load ptr, ptr %excinfo.1, align 8
-  %.239 = select i1 %.238, ptr %.231, ptr undef
-  store ptr %.239, ptr %excinfo, align 8
-  br label %common.ret
-
-B136.endif:
-  %.330123.not = icmp eq i64 %.111.0126, 0
-  br i1 %.330123.not, label %B464, label %B200.if.lr.ph
-
-B200.if.lr.ph:
-  %.idx107 = shl nuw nsw i64 %.111.0126, 6
-  %1 = getelementptr i8, ptr %arg.method, i64 %.idx107
-  br label %B200.if
-
-B200.if:
-  %.274.0124 = phi i64 [ 0, %B200.if.lr.ph ], [ %.343, %B202.endif ]
-  %.373 = getelementptr double, ptr %1, i64 %.274.0124
-  %.374 = load double, ptr %.373, align 8
-  %.376 = mul nsw i64 %.274.0124, %.84
-  %.378 = getelementptr double, ptr %arg.stages, i64 %.376
-  store ptr null, ptr %.381, align 8
-  %.385 = call i32 @add_scaled.29(ptr nonnull %.381, ptr nonnull %excinfo.2, i64 %.84, double %.374, ptr %.378, ptr %.215)
-  switch i32 %.385, label %B202.if [
-    i32 -2, label %B202.endif
-    i32 0, label %B202.endif
+  %.111.080 = phi i64 [ 0, %entry ], [ %.183, %B534.endif ]
+  %.183 = add nuw nsw i64 %.111.080, 1
+  store ptr null, ptr %.219, align 8
+  %.223 = call i32 @set_place.58(ptr nonnull %.219, ptr nonnull %excinfo.1, i64 %.84, i64 %.111.080, ptr %arg.method, ptr %arg.y, ptr %arg.stages, ptr %arg.place_, i64 %arg.stride)
+  switch i32 %.223, label %B74.if [
+    i32 -2, label %B74.endif
+    i32 0, label %B74.endif
   ]
 
-B202.if:
-  %.393 = icmp sgt i32 %.385, 0
-  %.386 = load ptr, ptr %excinfo.2, align 8
-  %.394 = select i1 %.393, ptr %.386, ptr undef
-  store ptr %.394, ptr %excinfo, align 8
+B74.if:
+  %.231 = icmp sgt i32 %.223, 0
+  %.224 = load ptr, ptr %excinfo.1, align 8
+  %.232 = select i1 %.231, ptr %.224, ptr undef
+  store ptr %.232, ptr %excinfo, align 8
   br label %common.ret
 
-B202.endif:
-  %.343 = add nuw nsw i64 %.274.0124, 1
-  %exitcond.not = icmp eq i64 %.343, %.111.0126
-  br i1 %exitcond.not, label %B464, label %B200.if
-
-B314.if:
-  %.435 = icmp sgt i32 %.427, 0
-  %.428 = load ptr, ptr %excinfo.3, align 8
-  %.436 = select i1 %.435, ptr %.428, ptr undef
-  store ptr %.436, ptr %excinfo, align 8
-  br label %common.ret
-
-B388.if:
-  %.469 = icmp sgt i32 %.461, 0
-  %.462 = load ptr, ptr %excinfo.4, align 8
-  %.470 = select i1 %.469, ptr %.462, ptr undef
-  store ptr %.470, ptr %excinfo, align 8
-  br label %common.ret
-
-B464.if:
-  %.498 = icmp sgt i32 %.490, 0
-  %.491 = load ptr, ptr %excinfo.5, align 8
-  %.499 = select i1 %.498, ptr %.491, ptr undef
-  store ptr %.499, ptr %excinfo, align 8
-  br label %common.ret
-
-B464.endif:
-  %2 = getelementptr double, ptr %arg.method, i64 %.111.0126
-  %.515 = getelementptr i8, ptr %2, i64 1024
-  %.516 = load double, ptr %.515, align 8
-  %.518 = fmul contract double %arg.h, %.516
-  %.520 = fadd contract double %arg.time, %.518
-  %.523 = load i64, ptr %.522, align 8
-  %.527 = getelementptr double, ptr %0, i64 %.523
-  store double %.520, ptr %.527, align 8
-  store ptr null, ptr %.538, align 8
-  %.542 = call i32 @drive.6(ptr nonnull %.538, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
-  switch i32 %.542, label %B464.endif.if [
-    i32 -2, label %B464.endif.endif
-    i32 0, label %B464.endif.endif
+B74.endif:
+  %.246 = mul nsw i64 %.111.080, %arg.stride
+  %.248 = getelementptr double, ptr %arg.place_, i64 %.246
+  store ptr null, ptr %.251, align 8
+  %.255 = call i32 @copy.27(ptr nonnull %.251, ptr nonnull %excinfo.2, i64 %.84, ptr %.248, ptr %arg.Y)
+  switch i32 %.255, label %B74.endif.if [
+    i32 -2, label %B74.endif.endif
+    i32 0, label %B74.endif.endif
   ]
 
-B464.endif.if:
-  %.550 = icmp sgt i32 %.542, 0
-  %.543 = load ptr, ptr %excinfo.6, align 8
-  %.551 = select i1 %.550, ptr %.543, ptr undef
-  store ptr %.551, ptr %excinfo, align 8
+B74.endif.if:
+  %.263 = icmp sgt i32 %.255, 0
+  %.256 = load ptr, ptr %excinfo.2, align 8
+  %.264 = select i1 %.263, ptr %.256, ptr undef
+  store ptr %.264, ptr %excinfo, align 8
   br label %common.ret
 
-B464.endif.endif:
-  store ptr null, ptr %.572, align 8
-  %.576 = call i32 @residual.0(ptr nonnull %.572, ptr nonnull %excinfo.7, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.right, ptr %arg.local, ptr %arg.out)
-  switch i32 %.576, label %B464.endif.endif.if [
-    i32 -2, label %B464.endif.endif.endif
-    i32 0, label %B464.endif.endif.endif
+B74.endif.endif:
+  %1 = getelementptr double, ptr %arg.method, i64 %.111.080
+  %.278 = getelementptr i8, ptr %1, i64 1024
+  %.279 = load double, ptr %.278, align 8
+  %.281 = fmul contract double %arg.h, %.279
+  %.283 = fadd contract double %arg.time, %.281
+  %.286 = load i64, ptr %.285, align 8
+  %.290 = getelementptr double, ptr %0, i64 %.286
+  store double %.283, ptr %.290, align 8
+  store ptr null, ptr %.301, align 8
+  %.305 = call i32 @drive.6(ptr nonnull %.301, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.local, ptr %arg.out)
+  switch i32 %.305, label %B74.endif.endif.if [
+    i32 -2, label %B74.endif.endif.endif
+    i32 0, label %B74.endif.endif.endif
   ]
 
-B464.endif.endif.if:
-  %.584 = icmp sgt i32 %.576, 0
-  %.577 = load ptr, ptr %excinfo.7, align 8
-  %.585 = select i1 %.584, ptr %.577, ptr undef
-  store ptr %.585, ptr %excinfo, align 8
+B74.endif.endif.if:
+  %.313 = icmp sgt i32 %.305, 0
+  %.306 = load ptr, ptr %excinfo.3, align 8
+  %.314 = select i1 %.313, ptr %.306, ptr undef
+  store ptr %.314, ptr %excinfo, align 8
   br label %common.ret
 
-B464.endif.endif.endif:
-  %.idx = shl i64 %.111.0126, 6
-  %3 = getelementptr i8, ptr %arg.method, i64 %.idx
-  %.601 = getelementptr i8, ptr %3, i64 512
-  store ptr null, ptr %.609, align 8
-  %.613 = call i32 @combine.31(ptr nonnull %.609, ptr nonnull %excinfo.8, i64 %.84, i64 %.111.0126, ptr %.601, double %arg.h, ptr %arg.mass, ptr %arg.stages, ptr %arg.right, ptr %arg.after)
-  switch i32 %.613, label %B464.endif.endif.endif.if [
-    i32 -2, label %B464.endif.endif.endif.endif
-    i32 0, label %B464.endif.endif.endif.endif
+B74.endif.endif.endif:
+  store ptr null, ptr %.335, align 8
+  %.339 = call i32 @residual.0(ptr nonnull %.335, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.right, ptr %arg.local, ptr %arg.out)
+  switch i32 %.339, label %B74.endif.endif.endif.if [
+    i32 -2, label %B74.endif.endif.endif.endif
+    i32 0, label %B74.endif.endif.endif.endif
   ]
 
-B464.endif.endif.endif.if:
-  %.621 = icmp sgt i32 %.613, 0
-  %.614 = load ptr, ptr %excinfo.8, align 8
-  %.622 = select i1 %.621, ptr %.614, ptr undef
-  store ptr %.622, ptr %excinfo, align 8
+B74.endif.endif.endif.if:
+  %.347 = icmp sgt i32 %.339, 0
+  %.340 = load ptr, ptr %excinfo.4, align 8
+  %.348 = select i1 %.347, ptr %.340, ptr undef
+  store ptr %.348, ptr %excinfo, align 8
   br label %common.ret
 
-B464.endif.endif.endif.endif:
-  %.636 = getelementptr i8, ptr %2, i64 1088
-  %.637 = load double, ptr %.636, align 8
-  %.639 = fmul contract double %arg.h, %.637
-  %.644 = fcmp contract une double %.639, 0.000000e+00
-  br i1 %.644, label %B810, label %B846
+B74.endif.endif.endif.endif:
+  %.idx = shl i64 %.111.080, 6
+  %2 = getelementptr i8, ptr %arg.method, i64 %.idx
+  %.364 = getelementptr i8, ptr %2, i64 512
+  store ptr null, ptr %.372, align 8
+  %.376 = call i32 @combine.32(ptr nonnull %.372, ptr nonnull %excinfo.5, i64 %.84, i64 %.111.080, ptr %.364, double %arg.h, ptr %arg.mass, ptr %arg.stages, ptr %arg.right, ptr %arg.after)
+  switch i32 %.376, label %B74.endif.endif.endif.endif.if [
+    i32 -2, label %B74.endif.endif.endif.endif.endif
+    i32 0, label %B74.endif.endif.endif.endif.endif
+  ]
 
-B810.if:
-  %.663 = icmp sgt i32 %.655, 0
-  %.656 = load ptr, ptr %excinfo.9, align 8
-  %.664 = select i1 %.663, ptr %.656, ptr undef
-  store ptr %.664, ptr %excinfo, align 8
+B74.endif.endif.endif.endif.if:
+  %.384 = icmp sgt i32 %.376, 0
+  %.377 = load ptr, ptr %excinfo.5, align 8
+  %.385 = select i1 %.384, ptr %.377, ptr undef
+  store ptr %.385, ptr %excinfo, align 8
   br label %common.ret
 
-B846.if:
-  %.709 = icmp sgt i32 %.701, 0
-  %.702 = load ptr, ptr %excinfo.10, align 8
-  %.710 = select i1 %.709, ptr %.702, ptr undef
-  store ptr %.710, ptr %excinfo, align 8
+B74.endif.endif.endif.endif.endif:
+  %.399 = getelementptr i8, ptr %1, i64 1088
+  %.400 = load double, ptr %.399, align 8
+  %.402 = fmul contract double %arg.h, %.400
+  %.407 = fcmp contract une double %.402, 0.000000e+00
+  br i1 %.407, label %B498, label %B534
+
+B498.if:
+  %.426 = icmp sgt i32 %.418, 0
+  %.419 = load ptr, ptr %excinfo.6, align 8
+  %.427 = select i1 %.426, ptr %.419, ptr undef
+  store ptr %.427, ptr %excinfo, align 8
   br label %common.ret
 
-B846.endif:
-  %exitcond149.not = icmp eq i64 %.183, 8
-  br i1 %exitcond149.not, label %B936, label %B72.if
+B534.if:
+  %.472 = icmp sgt i32 %.464, 0
+  %.465 = load ptr, ptr %excinfo.7, align 8
+  %.473 = select i1 %.472, ptr %.465, ptr undef
+  store ptr %.473, ptr %excinfo, align 8
+  br label %common.ret
+
+B534.endif:
+  %exitcond.not = icmp eq i64 %.183, 8
+  br i1 %exitcond.not, label %B624, label %B72.if
 }
 
-define i64 @forward(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34) {
+define i64 @forward(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, i64 %a30, ptr %a31, i64 %a32, ptr %a33, ptr %a34, ptr %a35) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @forward.58(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, ptr %a23, i64 %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, i64 %a29, ptr %a30, i64 %a31, ptr %a32, ptr %a33, ptr %a34)
+  %1 = call i32 @forward.60(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, i64 %a30, ptr %a31, i64 %a32, ptr %a33, ptr %a34, ptr %a35)
   ret i64 0
 }
 
-define internal i32 @forward.58(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @forward.60(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, i64 %arg.step_length, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
-  %.240 = alloca i64, align 8
-  store i64 0, ptr %.240, align 8
+  %.243 = alloca i64, align 8
+  store i64 0, ptr %.243, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.444 = alloca i64, align 8
-  store i64 0, ptr %.444, align 8
+  %.447 = alloca i64, align 8
+  store i64 0, ptr %.447, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
-  %.472 = alloca ptr, align 8
-  store ptr null, ptr %.472, align 8
+  %.475 = alloca ptr, align 8
+  store ptr null, ptr %.475, align 8
   %excinfo.3 = alloca ptr, align 8
   store ptr null, ptr %excinfo.3, align 8
-  %.683 = alloca ptr, align 8
-  store ptr null, ptr %.683, align 8
+  %.748 = alloca ptr, align 8
+  store ptr null, ptr %.748, align 8
   %excinfo.4 = alloca ptr, align 8
   store ptr null, ptr %excinfo.4, align 8
-  %.723 = alloca ptr, align 8
-  store ptr null, ptr %.723, align 8
+  %.788 = alloca ptr, align 8
+  store ptr null, ptr %.788, align 8
   %excinfo.5 = alloca ptr, align 8
   store ptr null, ptr %excinfo.5, align 8
-  %.761 = alloca ptr, align 8
-  store ptr null, ptr %.761, align 8
+  %.826 = alloca ptr, align 8
+  store ptr null, ptr %.826, align 8
   %excinfo.6 = alloca ptr, align 8
   store ptr null, ptr %excinfo.6, align 8
-  %.1188 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1188, align 8
+  %.1253 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1253, align 8
   %excinfo.7 = alloca ptr, align 8
   store ptr null, ptr %excinfo.7, align 8
-  %.1230 = alloca ptr, align 8
-  store ptr null, ptr %.1230, align 8
+  %.1295 = alloca ptr, align 8
+  store ptr null, ptr %.1295, align 8
   %excinfo.8 = alloca ptr, align 8
   store ptr null, ptr %excinfo.8, align 8
-  %.1266 = alloca ptr, align 8
-  store ptr null, ptr %.1266, align 8
+  %.1331 = alloca ptr, align 8
+  store ptr null, ptr %.1331, align 8
   %excinfo.9 = alloca ptr, align 8
   store ptr null, ptr %excinfo.9, align 8
-  %.1302 = alloca ptr, align 8
-  store ptr null, ptr %.1302, align 8
+  %.1367 = alloca ptr, align 8
+  store ptr null, ptr %.1367, align 8
   %excinfo.10 = alloca ptr, align 8
   store ptr null, ptr %excinfo.10, align 8
-  %.1784 = alloca ptr, align 8
-  store ptr null, ptr %.1784, align 8
+  %.1849 = alloca ptr, align 8
+  store ptr null, ptr %.1849, align 8
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
-  %.1830 = alloca ptr, align 8
-  store ptr null, ptr %.1830, align 8
+  %.1895 = alloca ptr, align 8
+  store ptr null, ptr %.1895, align 8
   %excinfo.12 = alloca ptr, align 8
   store ptr null, ptr %excinfo.12, align 8
-  %.1864 = alloca ptr, align 8
-  store ptr null, ptr %.1864, align 8
+  %.1932 = alloca ptr, align 8
+  store ptr null, ptr %.1932, align 8
   %excinfo.13 = alloca ptr, align 8
   store ptr null, ptr %excinfo.13, align 8
-  %.2152 = alloca ptr, align 8
-  store ptr null, ptr %.2152, align 8
+  %.2221 = alloca ptr, align 8
+  store ptr null, ptr %.2221, align 8
   %excinfo.14 = alloca ptr, align 8
   store ptr null, ptr %excinfo.14, align 8
-  %.2186 = alloca ptr, align 8
-  store ptr null, ptr %.2186, align 8
+  %.2255 = alloca ptr, align 8
+  store ptr null, ptr %.2255, align 8
   %excinfo.15 = alloca ptr, align 8
   store ptr null, ptr %excinfo.15, align 8
-  %.2215 = alloca ptr, align 8
-  store ptr null, ptr %.2215, align 8
+  %.2284 = alloca ptr, align 8
+  store ptr null, ptr %.2284, align 8
   %excinfo.16 = alloca ptr, align 8
   store ptr null, ptr %excinfo.16, align 8
-  %.2506 = alloca ptr, align 8
-  store ptr null, ptr %.2506, align 8
+  %.2575 = alloca ptr, align 8
+  store ptr null, ptr %.2575, align 8
   %excinfo.17 = alloca ptr, align 8
   store ptr null, ptr %excinfo.17, align 8
-  %.2546 = alloca ptr, align 8
-  store ptr null, ptr %.2546, align 8
+  %.2615 = alloca ptr, align 8
+  store ptr null, ptr %.2615, align 8
   %excinfo.18 = alloca ptr, align 8
   store ptr null, ptr %excinfo.18, align 8
-  %.2720 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2720, align 8
+  %.2789 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2789, align 8
   %excinfo.19 = alloca ptr, align 8
   store ptr null, ptr %excinfo.19, align 8
-  %.2749 = alloca double, align 8
-  store double 0.000000e+00, ptr %.2749, align 8
+  %.2818 = alloca double, align 8
+  store double 0.000000e+00, ptr %.2818, align 8
   %excinfo.20 = alloca ptr, align 8
   store ptr null, ptr %excinfo.20, align 8
-  %.2799 = alloca ptr, align 8
-  store ptr null, ptr %.2799, align 8
+  %.2868 = alloca ptr, align 8
+  store ptr null, ptr %.2868, align 8
   %excinfo.21 = alloca ptr, align 8
   store ptr null, ptr %excinfo.21, align 8
-  %.2964 = alloca i64, align 8
-  store i64 0, ptr %.2964, align 8
+  %.3033 = alloca i64, align 8
+  store i64 0, ptr %.3033, align 8
   %excinfo.22 = alloca ptr, align 8
   store ptr null, ptr %excinfo.22, align 8
-  %.3004 = alloca ptr, align 8
-  store ptr null, ptr %.3004, align 8
+  %.3073 = alloca ptr, align 8
+  store ptr null, ptr %.3073, align 8
   %excinfo.23 = alloca ptr, align 8
   store ptr null, ptr %excinfo.23, align 8
-  %.3207 = alloca ptr, align 8
-  store ptr null, ptr %.3207, align 8
+  %.3276 = alloca ptr, align 8
+  store ptr null, ptr %.3276, align 8
   %excinfo.24 = alloca ptr, align 8
   store ptr null, ptr %excinfo.24, align 8
-  %.3372 = alloca ptr, align 8
-  store ptr null, ptr %.3372, align 8
+  %.3441 = alloca ptr, align 8
+  store ptr null, ptr %.3441, align 8
   %excinfo.25 = alloca ptr, align 8
   store ptr null, ptr %excinfo.25, align 8
-  %.3419 = alloca ptr, align 8
-  store ptr null, ptr %.3419, align 8
+  %.3488 = alloca ptr, align 8
+  store ptr null, ptr %.3488, align 8
   %excinfo.26 = alloca ptr, align 8
   store ptr null, ptr %excinfo.26, align 8
-  %.3539 = alloca ptr, align 8
-  store ptr null, ptr %.3539, align 8
+  %.3608 = alloca ptr, align 8
+  store ptr null, ptr %.3608, align 8
   %excinfo.27 = alloca ptr, align 8
   store ptr null, ptr %excinfo.27, align 8
-  %.3694 = alloca double, align 8
-  store double 0.000000e+00, ptr %.3694, align 8
+  %.3763 = alloca double, align 8
+  store double 0.000000e+00, ptr %.3763, align 8
   %excinfo.28 = alloca ptr, align 8
   store ptr null, ptr %excinfo.28, align 8
-  %.3732 = alloca ptr, align 8
-  store ptr null, ptr %.3732, align 8
+  %.3801 = alloca ptr, align 8
+  store ptr null, ptr %.3801, align 8
   %excinfo.29 = alloca ptr, align 8
   store ptr null, ptr %excinfo.29, align 8
-  %.4016 = alloca double, align 8
-  store double 0.000000e+00, ptr %.4016, align 8
+  %.4085 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4085, align 8
   %excinfo.30 = alloca ptr, align 8
   store ptr null, ptr %excinfo.30, align 8
-  %.4049 = alloca ptr, align 8
-  store ptr null, ptr %.4049, align 8
+  %.4118 = alloca ptr, align 8
+  store ptr null, ptr %.4118, align 8
   %excinfo.31 = alloca ptr, align 8
   store ptr null, ptr %excinfo.31, align 8
-  %.4205 = alloca double, align 8
-  store double 0.000000e+00, ptr %.4205, align 8
+  %.4274 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4274, align 8
   %excinfo.32 = alloca ptr, align 8
   store ptr null, ptr %excinfo.32, align 8
-  %.4232 = alloca double, align 8
-  store double 0.000000e+00, ptr %.4232, align 8
+  %.4301 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4301, align 8
   %excinfo.33 = alloca ptr, align 8
   store ptr null, ptr %excinfo.33, align 8
-  %.4451 = alloca ptr, align 8
-  store ptr null, ptr %.4451, align 8
+  %.4520 = alloca ptr, align 8
+  store ptr null, ptr %.4520, align 8
   %excinfo.34 = alloca ptr, align 8
   store ptr null, ptr %excinfo.34, align 8
-  %.109 = load i64, ptr %arg.layout, align 8
-  %.111 = getelementptr i8, ptr %arg.layout, i64 16
-  %.112 = load i64, ptr %.111, align 8
-  %.120 = getelementptr i8, ptr %arg.layout, i64 8
-  %.121 = load i64, ptr %.120, align 8
-  %.123 = add nsw i64 %.121, %.109
-  %.125 = getelementptr i8, ptr %arg.layout, i64 24
-  %.126 = load i64, ptr %.125, align 8
-  %.134 = add nsw i64 %.112, 1
-  %.136 = add nsw i64 %.126, %.134
-  %.139 = shl nsw i64 %.109, 3
-  %.140 = getelementptr double, ptr %arg.work, i64 %.139
-  %.149.idx = mul i64 %.109, 136
-  %.149 = getelementptr i8, ptr %arg.work, i64 %.149.idx
-  %.idx = mul i64 %.109, 144
+  %.112 = load i64, ptr %arg.layout, align 8
+  %.114 = getelementptr i8, ptr %arg.layout, i64 16
+  %.115 = load i64, ptr %.114, align 8
+  %.123 = getelementptr i8, ptr %arg.layout, i64 8
+  %.124 = load i64, ptr %.123, align 8
+  %.126 = add nsw i64 %.124, %.112
+  %.128 = getelementptr i8, ptr %arg.layout, i64 24
+  %.129 = load i64, ptr %.128, align 8
+  %.137 = add nsw i64 %.115, 1
+  %.139 = add nsw i64 %.129, %.137
+  %.142 = shl nsw i64 %.112, 3
+  %.143 = getelementptr double, ptr %arg.work, i64 %.142
+  %.152.idx = mul i64 %.112, 136
+  %.152 = getelementptr i8, ptr %arg.work, i64 %.152.idx
+  %.idx = mul i64 %.112, 144
   %0 = getelementptr i8, ptr %arg.work, i64 %.idx
-  %.153 = getelementptr i8, ptr %0, i64 8
-  %.idx902 = mul i64 %.109, 152
-  %1 = getelementptr i8, ptr %arg.work, i64 %.idx902
-  %.157 = getelementptr i8, ptr %1, i64 8
-  %.idx903 = mul i64 %.109, 160
-  %2 = getelementptr i8, ptr %arg.work, i64 %.idx903
-  %.170 = getelementptr i8, ptr %2, i64 8
-  %.177.idx = shl i64 %arg.blocks, 5
-  %.177 = getelementptr i8, ptr %.170, i64 %.177.idx
-  %.184.idx = shl i64 %arg.blocks, 4
-  %.184 = getelementptr i8, ptr %.177, i64 %.184.idx
-  %.190 = getelementptr double, ptr %.184, i64 %.112
-  %.195 = getelementptr double, ptr %.190, i64 %.136
-  %.200 = getelementptr double, ptr %.195, i64 %.136
-  %.207 = add nsw i64 %.121, 1
-  %.209 = getelementptr double, ptr %.200, i64 %.207
-  %.218 = getelementptr double, ptr %.209, i64 %.207
-  %.223 = getelementptr i8, ptr %arg.layout, i64 56
-  %.224 = load i64, ptr %.223, align 8
-  %.226 = getelementptr double, ptr %.218, i64 %.224
-  %.234 = getelementptr double, ptr %.226, i64 %.224
-  store i64 0, ptr %.240, align 8
-  %.244 = call i32 @moving_groups.59(ptr nonnull %.240, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
-  switch i32 %.244, label %B0.if [
+  %.156 = getelementptr i8, ptr %0, i64 8
+  %.idx904 = mul i64 %.112, 152
+  %1 = getelementptr i8, ptr %arg.work, i64 %.idx904
+  %.160 = getelementptr i8, ptr %1, i64 8
+  %.idx905 = mul i64 %.112, 160
+  %2 = getelementptr i8, ptr %arg.work, i64 %.idx905
+  %.173 = getelementptr i8, ptr %2, i64 8
+  %.180.idx = shl i64 %arg.blocks, 5
+  %.180 = getelementptr i8, ptr %.173, i64 %.180.idx
+  %.187.idx = shl i64 %arg.blocks, 4
+  %.187 = getelementptr i8, ptr %.180, i64 %.187.idx
+  %.193 = getelementptr double, ptr %.187, i64 %.115
+  %.198 = getelementptr double, ptr %.193, i64 %.139
+  %.203 = getelementptr double, ptr %.198, i64 %.139
+  %.210 = add nsw i64 %.124, 1
+  %.212 = getelementptr double, ptr %.203, i64 %.210
+  %.221 = getelementptr double, ptr %.212, i64 %.210
+  %.226 = getelementptr i8, ptr %arg.layout, i64 56
+  %.227 = load i64, ptr %.226, align 8
+  %.229 = getelementptr double, ptr %.221, i64 %.227
+  %.237 = getelementptr double, ptr %.229, i64 %.227
+  store i64 0, ptr %.243, align 8
+  %.247 = call i32 @moving_groups.61(ptr nonnull %.243, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
+  switch i32 %.247, label %B0.if [
     i32 -2, label %B0.endif
     i32 0, label %B0.endif
   ]
 
 B1370:
-  %.5851187 = icmp sgt i64 %arg.step_count, 0
-  br i1 %.5851187, label %B1408.lr.ph, label %B5720
+  %.5881176 = icmp sgt i64 %arg.step_count, 0
+  br i1 %.5881176, label %B1408.lr.ph, label %B5772
 
 B1408.lr.ph:
-  %.531.11190 = add nsw i64 %arg.step_count, -1
-  %.627 = add nsw i64 %.109, 3
-  %.708 = getelementptr i8, ptr %arg.method, i64 1344
-  %.750 = getelementptr double, ptr %arg.Y, i64 %.123
-  %.824 = icmp sgt i64 %.109, 0
-  %storemerge906 = select i1 %.824, i64 %.139, i64 0
-  %.8661122 = icmp sgt i64 %storemerge906, 0
-  %.9931138.not = icmp slt i64 %arg.directions, 1
-  %storemerge924 = call i64 @llvm.smax.i64(i64 %.109, i64 0)
-  %.14101130.not = icmp slt i64 %arg.entry_count, 1
-  %.15461135.not = icmp slt i64 %.126, 1
-  %.19681141.not = icmp slt i64 %.109, 1
-  %.23201147 = icmp sgt i64 %storemerge906, 0
-  %.2492 = shl i64 %.109, 6
-  %.26561163.not = icmp slt i64 %arg.directions, 1
-  %.31131160.not = icmp slt i64 %.109, 1
-  %.33131166.not = icmp slt i64 %.126, 1
-  %3 = getelementptr double, ptr %.190, i64 %.134
-  %.3537.idx = mul i64 %.109, 448
-  %.3537 = getelementptr i8, ptr %.269, i64 %.3537.idx
-  %.3725 = getelementptr double, ptr %.140, i64 %.139
-  %.38371171 = icmp sgt i64 %storemerge906, 0
-  %.4044 = shl i64 %.109, 6
-  %.41581181.not = icmp slt i64 %arg.directions, 1
-  %.43601178.not = icmp slt i64 %.109, 1
-  %4 = mul i64 %.254, %arg.directions
+  %.534.11179 = add nsw i64 %arg.step_count, -1
+  %.773 = getelementptr i8, ptr %arg.method, i64 1344
+  %.815 = getelementptr double, ptr %arg.Y, i64 %.126
+  %.889 = icmp sgt i64 %.112, 0
+  %storemerge908 = select i1 %.889, i64 %.142, i64 0
+  %.9311111 = icmp sgt i64 %storemerge908, 0
+  %.10581127.not = icmp slt i64 %arg.directions, 1
+  %storemerge926 = call i64 @llvm.smax.i64(i64 %.112, i64 0)
+  %.14751119.not = icmp slt i64 %arg.entry_count, 1
+  %.16111124.not = icmp slt i64 %.129, 1
+  %.20371130.not = icmp slt i64 %.112, 1
+  %.23891136 = icmp sgt i64 %storemerge908, 0
+  %.2561 = shl i64 %.112, 6
+  %.27251152.not = icmp slt i64 %arg.directions, 1
+  %.31821149.not = icmp slt i64 %.112, 1
+  %.33821155.not = icmp slt i64 %.129, 1
+  %3 = getelementptr double, ptr %.193, i64 %.137
+  %.3606.idx = mul i64 %.112, 448
+  %.3606 = getelementptr i8, ptr %.272, i64 %.3606.idx
+  %.3794 = getelementptr double, ptr %.143, i64 %.142
+  %.39061160 = icmp sgt i64 %storemerge908, 0
+  %.4113 = shl i64 %.112, 6
+  %.42271170.not = icmp slt i64 %arg.directions, 1
+  %.44291167.not = icmp slt i64 %.112, 1
+  %4 = mul i64 %.257, %arg.directions
   %5 = shl i64 %4, 3
-  %6 = mul i64 %.109, 800
+  %6 = mul i64 %.112, 800
   %7 = mul i64 %arg.blocks, 48
-  %8 = mul i64 %.112, 24
-  %9 = add i64 %.126, %.121
-  %10 = add i64 %9, %.224
+  %8 = mul i64 %.115, 24
+  %9 = add i64 %.129, %.124
+  %10 = add i64 %9, %.227
   %11 = shl i64 %10, 4
   %12 = getelementptr i8, ptr %arg.work, i64 %5
   %13 = getelementptr i8, ptr %12, i64 %6
@@ -7927,973 +8071,977 @@ B1408.lr.ph:
   %15 = getelementptr i8, ptr %14, i64 %8
   %16 = getelementptr i8, ptr %15, i64 %11
   %scevgep = getelementptr i8, ptr %16, i64 40
-  %17 = shl nuw i64 %storemerge906, 3
-  %18 = shl nuw i64 %storemerge924, 3
+  %17 = shl nuw i64 %storemerge908, 3
+  %18 = shl nuw i64 %storemerge926, 3
   %19 = add i64 %arg.edge_count, -1
   br label %B1408
 
 B1408:
-  %.575.sroa.0.01194 = phi i64 [ 0, %B1408.lr.ph ], [ %.575.sroa.0.0, %B5662.endif ]
-  %.531.11193 = phi i64 [ %.531.11190, %B1408.lr.ph ], [ %.531.1, %B5662.endif ]
-  %.528.11192 = phi i64 [ 1, %B1408.lr.ph ], [ %.528.1, %B5662.endif ]
-  %start.2.01191 = phi i64 [ 0, %B1408.lr.ph ], [ %stop.3.2, %B5662.endif ]
-  %.629 = mul nsw i64 %.575.sroa.0.01194, %.627
-  %.631 = getelementptr double, ptr %arg.record, i64 %.629
-  %.637 = load double, ptr %.631, align 8
-  %.639 = getelementptr i8, ptr %.631, i64 8
-  %.640 = load double, ptr %.639, align 8
-  %.642 = getelementptr i8, ptr %.631, i64 24
-  store ptr null, ptr %.683, align 8
-  %.687 = call i32 @replay.48(ptr nonnull %.683, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.631, ptr %arg.Y, ptr %arg.work, ptr %.140, ptr %.190, ptr %.200, ptr %.157, ptr %.184, ptr %.149, ptr %.153, ptr %.170, ptr %.177, ptr %.218, ptr %.226)
-  switch i32 %.687, label %B1408.if [
+  %.578.sroa.0.01183 = phi i64 [ 0, %B1408.lr.ph ], [ %.578.sroa.0.0, %B5714.endif ]
+  %.534.11182 = phi i64 [ %.534.11179, %B1408.lr.ph ], [ %.534.1, %B5714.endif ]
+  %.531.11181 = phi i64 [ 1, %B1408.lr.ph ], [ %.531.1, %B5714.endif ]
+  %start.2.01180 = phi i64 [ 0, %B1408.lr.ph ], [ %stop.3.2, %B5714.endif ]
+  %.631 = mul nsw i64 %.578.sroa.0.01183, %arg.step_length
+  %.633 = getelementptr double, ptr %arg.record, i64 %.631
+  %.639 = load double, ptr %.633, align 8
+  %.641 = getelementptr i8, ptr %.633, i64 8
+  %.642 = load double, ptr %.641, align 8
+  %.644 = getelementptr i8, ptr %.633, i64 24
+  store ptr null, ptr %.748, align 8
+  %.752 = call i32 @replay.49(ptr nonnull %.748, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.633, i64 %arg.step_length, ptr %arg.Y, ptr %arg.work, ptr %.143, ptr %.193, ptr %.203, ptr %.160, ptr %.187, ptr %.152, ptr %.156, ptr %.173, ptr %.180, ptr %.221, ptr %.229)
+  switch i32 %.752, label %B1408.if [
     i32 -2, label %B1408.endif
     i32 0, label %B1408.endif
   ]
 
-B1844.preheader:
-  br i1 %.9931138.not, label %B2614.if.preheader, label %B1846.if
+B1884.preheader:
+  br i1 %.10581127.not, label %B2654.if.preheader, label %B1886.if
 
-B2614.if.preheader:
-  br label %B2614.if
+B2654.if.preheader:
+  br label %B2654.if
 
-B1844.loopexit:
-  %exitcond1419.not = icmp eq i64 %arg.directions, %.1006
-  br i1 %exitcond1419.not, label %B2614.if.preheader, label %B1846.if
+B1884.loopexit:
+  %exitcond1394.not = icmp eq i64 %arg.directions, %.1071
+  br i1 %exitcond1394.not, label %B2654.if.preheader, label %B1886.if
 
-B2006:
-  %.1186.idx = shl i64 %.936.01139, 4
-  %.1186 = getelementptr i8, ptr %arg.ends_dot, i64 %.1186.idx
-  store double 0.000000e+00, ptr %.1188, align 8
-  %.1192 = call i32 @begin_rate.60(ptr nonnull %.1188, ptr nonnull %excinfo.7, i64 %.575.sroa.0.01194, ptr %.1186)
-  switch i32 %.1192, label %B2006.if [
-    i32 -2, label %B2006.endif
-    i32 0, label %B2006.endif
+B2046:
+  %.1251.idx = shl i64 %.1001.01128, 4
+  %.1251 = getelementptr i8, ptr %arg.ends_dot, i64 %.1251.idx
+  store double 0.000000e+00, ptr %.1253, align 8
+  %.1257 = call i32 @begin_rate.62(ptr nonnull %.1253, ptr nonnull %excinfo.7, i64 %.578.sroa.0.01183, ptr %.1251)
+  switch i32 %.1257, label %B2046.if [
+    i32 -2, label %B2046.endif
+    i32 0, label %B2046.endif
   ]
 
-B2352:
-  %invariant.gep1133 = getelementptr double, ptr %.288, i64 %.936.01139
-  br i1 %.15461135.not, label %B1844.loopexit, label %B2382.if
+B2392:
+  %invariant.gep1122 = getelementptr double, ptr %.291, i64 %.1001.01128
+  br i1 %.16111124.not, label %B1884.loopexit, label %B2422.if
 
-B2942:
-  %.20941144.not = icmp eq i64 %.1662.01169, 0
-  br i1 %.20941144.not, label %B3096, label %B2972.if.lr.ph
+B2902:
+  store ptr null, ptr %.1932, align 8
+  %.1936 = call i32 @jacobian.4(ptr nonnull %.1932, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.193, ptr %.221, ptr %.229)
+  switch i32 %.1936, label %B2902.if [
+    i32 -2, label %B2948
+    i32 0, label %B2948
+  ]
 
-B2972.if.lr.ph:
-  %.idx923 = shl i64 %.1662.01169, 6
-  %20 = getelementptr i8, ptr %arg.method, i64 %.idx923
+B2948:
+  br i1 %.20371130.not, label %B2994, label %B2978.if.preheader
+
+B2978.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %.156, i8 0, i64 %18, i1 false)
+  br label %B2994
+
+B2994:
+  %.21631133.not = icmp eq i64 %.1727.01158, 0
+  br i1 %.21631133.not, label %B3148, label %B3024.if.lr.ph
+
+B3024.if.lr.ph:
+  %.idx925 = shl i64 %.1727.01158, 6
+  %20 = getelementptr i8, ptr %arg.method, i64 %.idx925
   %21 = getelementptr i8, ptr %20, i64 512
-  br label %B2972.if
+  br label %B3024.if
 
-B3096:
-  store ptr null, ptr %.2186, align 8
-  %.2190 = call i32 @add_scaled.29(ptr nonnull %.2186, ptr nonnull %excinfo.15, i64 %.109, double %.715, ptr %.1764, ptr %.153)
-  switch i32 %.2190, label %B3096.if [
-    i32 -2, label %B3096.endif
-    i32 0, label %B3096.endif
+B3148:
+  store ptr null, ptr %.2255, align 8
+  %.2259 = call i32 @add_scaled.29(ptr nonnull %.2255, ptr nonnull %excinfo.15, i64 %.112, double %.780, ptr %.1829, ptr %.156)
+  switch i32 %.2259, label %B3148.if [
+    i32 -2, label %B3148.endif
+    i32 0, label %B3148.endif
   ]
 
-B3298.preheader:
-  %.24531150.not = icmp eq i64 %.1662.01169, 0
-  br i1 %.24531150.not, label %B3548.preheader, label %B3298.if.lr.ph
+B3350.preheader:
+  %.25221139.not = icmp eq i64 %.1727.01158, 0
+  br i1 %.25221139.not, label %B3600.preheader, label %B3350.if.lr.ph
 
-B3298.if.lr.ph:
-  %.idx930 = shl i64 %.1662.01169, 6
-  %22 = getelementptr i8, ptr %arg.method, i64 %.idx930
+B3350.if.lr.ph:
+  %.idx932 = shl i64 %.1727.01158, 6
+  %22 = getelementptr i8, ptr %arg.method, i64 %.idx932
   %23 = getelementptr i8, ptr %22, i64 512
-  br label %B3298.if
+  br label %B3350.if
 
-B3548.preheader:
-  br i1 %.26561163.not, label %B4282, label %B3550.if
+B3600.preheader:
+  br i1 %.27251152.not, label %B4334, label %B3602.if
 
-B3968:
-  store i64 0, ptr %.2964, align 8
-  %.2968 = call i32 @moving_groups.59(ptr nonnull %.2964, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
-  switch i32 %.2968, label %B3968.if [
-    i32 -2, label %B3968.endif
-    i32 0, label %B3968.endif
+B4020:
+  store i64 0, ptr %.3033, align 8
+  %.3037 = call i32 @moving_groups.61(ptr nonnull %.3033, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
+  switch i32 %.3037, label %B4020.if [
+    i32 -2, label %B4020.endif
+    i32 0, label %B4020.endif
   ]
 
-B4278:
-  %exitcond1425.not = icmp eq i64 %arg.directions, %.2669
-  br i1 %exitcond1425.not, label %B4282, label %B3550.if
+B4330:
+  %exitcond1400.not = icmp eq i64 %arg.directions, %.2738
+  br i1 %exitcond1400.not, label %B4334, label %B3602.if
 
-B4282:
-  store ptr null, ptr %.3207, align 8
-  %.3211 = call i32 @multiply_sides.61(ptr nonnull %.3207, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.190, ptr %.308, ptr %.1764, ptr %.274, ptr %.284)
-  switch i32 %.3211, label %B4282.if [
-    i32 -2, label %B4282.endif
-    i32 0, label %B4282.endif
+B4334:
+  store ptr null, ptr %.3276, align 8
+  %.3280 = call i32 @multiply_sides.63(ptr nonnull %.3276, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.193, ptr %.311, ptr %.1829, ptr %.277, ptr %.287)
+  switch i32 %.3280, label %B4334.if [
+    i32 -2, label %B4334.endif
+    i32 0, label %B4334.endif
   ]
 
-B4546:
-  %.3409.idx = shl i64 %.1762, 6
-  %.3409 = getelementptr i8, ptr %.269, i64 %.3409.idx
-  store ptr null, ptr %.3419, align 8
-  %.3423 = call i32 @lu_solve_sides.36(ptr nonnull %.3419, ptr nonnull %excinfo.26, i64 %.109, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.184, ptr %.284, ptr %.3409, ptr %.315)
-  switch i32 %.3423, label %B4546.if [
-    i32 -2, label %B4546.endif
-    i32 0, label %B4546.endif
+B4598:
+  %.3478.idx = shl i64 %.1827, 6
+  %.3478 = getelementptr i8, ptr %.272, i64 %.3478.idx
+  store ptr null, ptr %.3488, align 8
+  %.3492 = call i32 @lu_solve_sides.37(ptr nonnull %.3488, ptr nonnull %excinfo.26, i64 %.112, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.187, ptr %.287, ptr %.3478, ptr %.318)
+  switch i32 %.3492, label %B4598.if [
+    i32 -2, label %B4598.endif
+    i32 0, label %B4598.endif
   ]
 
-B4648:
-  %.3462 = icmp slt i64 %start.2.01191, %arg.edge_count
-  br i1 %.3462, label %B4664, label %B4770
+B4700:
+  %.3531 = icmp slt i64 %start.2.01180, %arg.edge_count
+  br i1 %.3531, label %B4716, label %B4822
 
-B4664:
-  %.3473 = getelementptr double, ptr %arg.edges, i64 %start.2.01191
-  %.3474 = load double, ptr %.3473, align 8
-  %.3478 = getelementptr i8, ptr %.631, i64 16
-  %.3479 = load double, ptr %.3478, align 8
-  %.3480 = fmul contract double %.3479, 0x3FF0000000000005
-  %.3481 = fcmp contract ugt double %.3474, %.3480
-  br i1 %.3481, label %B4770, label %B4706
+B4716:
+  %.3542 = getelementptr double, ptr %arg.edges, i64 %start.2.01180
+  %.3543 = load double, ptr %.3542, align 8
+  %.3547 = getelementptr i8, ptr %.633, i64 16
+  %.3548 = load double, ptr %.3547, align 8
+  %.3549 = fmul contract double %.3548, 0x3FF0000000000005
+  %.3550 = fcmp contract ugt double %.3543, %.3549
+  br i1 %.3550, label %B4822, label %B4758
 
-B4706:
-  %stop.2.1 = phi i64 [ %.3487, %B4728 ], [ %start.2.01191, %B4664 ]
-  %exitcond1428.not = icmp eq i64 %stop.2.1, %19
-  br i1 %exitcond1428.not, label %B4770, label %B4728
+B4758:
+  %stop.2.1 = phi i64 [ %.3556, %B4780 ], [ %start.2.01180, %B4716 ]
+  %exitcond1403.not = icmp eq i64 %stop.2.1, %19
+  br i1 %exitcond1403.not, label %B4822, label %B4780
 
-B4728:
-  %.3487 = add nsw i64 %stop.2.1, 1
-  %.3508 = getelementptr double, ptr %arg.edges, i64 %.3487
-  %.3509 = load double, ptr %.3508, align 8
-  %.3516 = fcmp contract ugt double %.3509, %.3480
-  br i1 %.3516, label %B4770, label %B4706
+B4780:
+  %.3556 = add nsw i64 %stop.2.1, 1
+  %.3577 = getelementptr double, ptr %arg.edges, i64 %.3556
+  %.3578 = load double, ptr %.3577, align 8
+  %.3585 = fcmp contract ugt double %.3578, %.3549
+  br i1 %.3585, label %B4822, label %B4758
 
-B4770:
-  %stop.3.2 = phi i64 [ %start.2.01191, %B4664 ], [ %start.2.01191, %B4648 ], [ %arg.edge_count, %B4706 ], [ %.3487, %B4728 ]
-  store ptr null, ptr %.3539, align 8
-  %.3543 = call i32 @add_scaled.29(ptr nonnull %.3539, ptr nonnull %excinfo.27, i64 %.139, double 1.000000e+00, ptr %.3537, ptr %.274)
-  switch i32 %.3543, label %B4770.if [
-    i32 -2, label %B4770.endif
-    i32 0, label %B4770.endif
+B4822:
+  %stop.3.2 = phi i64 [ %start.2.01180, %B4716 ], [ %start.2.01180, %B4700 ], [ %arg.edge_count, %B4758 ], [ %.3556, %B4780 ]
+  store ptr null, ptr %.3608, align 8
+  %.3612 = call i32 @add_scaled.29(ptr nonnull %.3608, ptr nonnull %excinfo.27, i64 %.142, double 1.000000e+00, ptr %.3606, ptr %.277)
+  switch i32 %.3612, label %B4822.if [
+    i32 -2, label %B4822.endif
+    i32 0, label %B4822.endif
   ]
 
-B4920.loopexit:
-  %.3647 = icmp sgt i64 %.3593.01186, 1
-  br i1 %.3647, label %B4922.if, label %B5662
+B4972.loopexit:
+  %.3716 = icmp sgt i64 %.3662.01175, 1
+  br i1 %.3716, label %B4974.if, label %B5714
 
-B5378.preheader:
-  br i1 %.41581181.not, label %B4920.loopexit, label %B5378.if
+B5430.preheader:
+  br i1 %.42271170.not, label %B4972.loopexit, label %B5430.if
 
-B5378.loopexit:
-  %exitcond1432.not = icmp eq i64 %arg.directions, %.4171
-  br i1 %exitcond1432.not, label %B4920.loopexit, label %B5378.if
+B5430.loopexit:
+  %exitcond1407.not = icmp eq i64 %arg.directions, %.4240
+  br i1 %exitcond1407.not, label %B4972.loopexit, label %B5430.if
 
-B5662:
-  store ptr null, ptr %.4451, align 8
-  %.4455 = call i32 @copy.27(ptr nonnull %.4451, ptr nonnull %excinfo.34, i64 %.139, ptr %.274, ptr %arg.y_dot)
-  switch i32 %.4455, label %B5662.if [
-    i32 -2, label %B5662.endif
-    i32 0, label %B5662.endif
+B5714:
+  store ptr null, ptr %.4520, align 8
+  %.4524 = call i32 @copy.27(ptr nonnull %.4520, ptr nonnull %excinfo.34, i64 %.142, ptr %.277, ptr %arg.y_dot)
+  switch i32 %.4524, label %B5714.if [
+    i32 -2, label %B5714.endif
+    i32 0, label %B5714.endif
   ]
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B5720 ], [ %.4236, %B5380.endif.if ], [ %.4455, %B5662.if ], [ %.244, %B0.if ], [ %.448, %B1238.if ], [ %.3376, %B4360.if ], [ %.476, %B1238.endif.if ], [ %.687, %B1408.if ], [ %.727, %B1408.endif.endif.if ], [ %.4209, %B5380.if ], [ %.4053, %B5208.endif.if ], [ %.2803, %B3552.endif.endif.if ], [ %.765, %B1408.endif.endif.endif.if ], [ %.1192, %B2006.if ], [ %.1234, %B2006.endif.if ], [ %.1270, %B2006.endif.endif.if ], [ %.4020, %B5208.if ], [ %.3736, %B4924.endif.if ], [ %.2968, %B3968.if ], [ %.1306, %B2006.endif.endif.endif.if ], [ %.1788, %B2616.if ], [ %.1834, %B2616.endif.if ], [ %.3211, %B4282.if ], [ %.3698, %B4924.if ], [ %.1868, %B2616.endif.endif.if ], [ %.2156, %B2974.endif.if ], [ %.2190, %B3096.if ], [ %.3543, %B4770.if ], [ %.3008, %B3968.endif.if ], [ %.2219, %B3096.endif.if ], [ %.2510, %B3300.if ], [ %.3423, %B4546.if ], [ %.2550, %B3300.endif.endif.if ], [ %.2724, %B3552.if ], [ %.2753, %B3552.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B5772 ], [ %.4305, %B5432.endif.if ], [ %.4524, %B5714.if ], [ %.247, %B0.if ], [ %.451, %B1238.if ], [ %.3445, %B4412.if ], [ %.479, %B1238.endif.if ], [ %.752, %B1408.if ], [ %.792, %B1408.endif.endif.if ], [ %.4278, %B5432.if ], [ %.4122, %B5260.endif.if ], [ %.2872, %B3604.endif.endif.if ], [ %.830, %B1408.endif.endif.endif.if ], [ %.1257, %B2046.if ], [ %.1299, %B2046.endif.if ], [ %.1335, %B2046.endif.endif.if ], [ %.4089, %B5260.if ], [ %.3805, %B4976.endif.if ], [ %.3037, %B4020.if ], [ %.1371, %B2046.endif.endif.endif.if ], [ %.1853, %B2656.if ], [ %.1899, %B2656.endif.if ], [ %.3280, %B4334.if ], [ %.3767, %B4976.if ], [ %.1936, %B2902.if ], [ %.2225, %B3026.endif.if ], [ %.2259, %B3148.if ], [ %.3612, %B4822.if ], [ %.3077, %B4020.endif.if ], [ %.2288, %B3148.endif.if ], [ %.2579, %B3352.if ], [ %.3492, %B4598.if ], [ %.2619, %B3352.endif.endif.if ], [ %.2793, %B3604.if ], [ %.2822, %B3604.endif.if ]
   ret i32 %common.ret.op
 
-B5720:
+B5772:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
 B0.if:
-  %.252 = icmp sgt i32 %.244, 0
-  %.245 = load ptr, ptr %excinfo.1, align 8
-  %.253 = select i1 %.252, ptr %.245, ptr undef
-  store ptr %.253, ptr %excinfo, align 8
+  %.255 = icmp sgt i32 %.247, 0
+  %.248 = load ptr, ptr %excinfo.1, align 8
+  %.256 = select i1 %.255, ptr %.248, ptr undef
+  store ptr %.256, ptr %excinfo, align 8
   br label %common.ret
 
 B0.endif:
-  %.254 = load i64, ptr %.240, align 8
-  %.267 = mul nsw i64 %.254, %arg.directions
-  %.269 = getelementptr double, ptr %.234, i64 %.267
-  %.274.idx = shl i64 %.109, 9
-  %.274 = getelementptr i8, ptr %.269, i64 %.274.idx
-  %.284.idx = mul i64 %.109, 576
-  %.284 = getelementptr i8, ptr %.269, i64 %.284.idx
-  %.288.idx = mul i64 %.109, 640
-  %.288 = getelementptr i8, ptr %.269, i64 %.288.idx
-  %.298.idx = mul i64 %.109, 704
-  %.298 = getelementptr i8, ptr %.269, i64 %.298.idx
-  %.304 = load i64, ptr %.120, align 8
-  %.idx904 = shl i64 %.304, 6
-  %24 = getelementptr i8, ptr %.298, i64 %.idx904
-  %.308 = getelementptr i8, ptr %24, i64 64
-  %.315.idx = shl i64 %arg.entry_count, 6
-  %.315 = getelementptr i8, ptr %.308, i64 %.315.idx
-  %.3991119.not = icmp slt i64 %arg.directions, 1
-  br i1 %.3991119.not, label %B1370, label %B1236.if
+  %.257 = load i64, ptr %.243, align 8
+  %.270 = mul nsw i64 %.257, %arg.directions
+  %.272 = getelementptr double, ptr %.237, i64 %.270
+  %.277.idx = shl i64 %.112, 9
+  %.277 = getelementptr i8, ptr %.272, i64 %.277.idx
+  %.287.idx = mul i64 %.112, 576
+  %.287 = getelementptr i8, ptr %.272, i64 %.287.idx
+  %.291.idx = mul i64 %.112, 640
+  %.291 = getelementptr i8, ptr %.272, i64 %.291.idx
+  %.301.idx = mul i64 %.112, 704
+  %.301 = getelementptr i8, ptr %.272, i64 %.301.idx
+  %.307 = load i64, ptr %.123, align 8
+  %.idx906 = shl i64 %.307, 6
+  %24 = getelementptr i8, ptr %.301, i64 %.idx906
+  %.311 = getelementptr i8, ptr %24, i64 64
+  %.318.idx = shl i64 %arg.entry_count, 6
+  %.318 = getelementptr i8, ptr %.311, i64 %.318.idx
+  %.4021108.not = icmp slt i64 %arg.directions, 1
+  br i1 %.4021108.not, label %B1370, label %B1236.if
 
 B1236.if:
-  %.343.01120 = phi i64 [ %.412, %B1238.endif.endif ], [ 0, %B0.endif ]
-  %.412 = add nuw nsw i64 %.343.01120, 1
-  store i64 0, ptr %.444, align 8
-  %.448 = call i32 @moving_groups.59(ptr nonnull %.444, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
-  switch i32 %.448, label %B1238.if [
+  %.346.01109 = phi i64 [ %.415, %B1238.endif.endif ], [ 0, %B0.endif ]
+  %.415 = add nuw nsw i64 %.346.01109, 1
+  store i64 0, ptr %.447, align 8
+  %.451 = call i32 @moving_groups.61(ptr nonnull %.447, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
+  switch i32 %.451, label %B1238.if [
     i32 -2, label %B1238.endif
     i32 0, label %B1238.endif
   ]
 
 B1238.if:
-  %.456 = icmp sgt i32 %.448, 0
-  %.449 = load ptr, ptr %excinfo.2, align 8
-  %.457 = select i1 %.456, ptr %.449, ptr undef
-  store ptr %.457, ptr %excinfo, align 8
+  %.459 = icmp sgt i32 %.451, 0
+  %.452 = load ptr, ptr %excinfo.2, align 8
+  %.460 = select i1 %.459, ptr %.452, ptr undef
+  store ptr %.460, ptr %excinfo, align 8
   br label %common.ret
 
 B1238.endif:
-  %.458 = load i64, ptr %.444, align 8
-  %.439 = mul nsw i64 %.343.01120, %arg.numbers_length
-  %.441 = getelementptr double, ptr %arg.numbers_dot, i64 %.439
-  %.468 = mul nsw i64 %.458, %.343.01120
-  %.470 = getelementptr double, ptr %.234, i64 %.468
-  store ptr null, ptr %.472, align 8
-  %.476 = call i32 @mark_moving.62(ptr nonnull %.472, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.441, ptr %.470)
-  switch i32 %.476, label %B1238.endif.if [
+  %.461 = load i64, ptr %.447, align 8
+  %.442 = mul nsw i64 %.346.01109, %arg.numbers_length
+  %.444 = getelementptr double, ptr %arg.numbers_dot, i64 %.442
+  %.471 = mul nsw i64 %.461, %.346.01109
+  %.473 = getelementptr double, ptr %.237, i64 %.471
+  store ptr null, ptr %.475, align 8
+  %.479 = call i32 @mark_moving.64(ptr nonnull %.475, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.444, ptr %.473)
+  switch i32 %.479, label %B1238.endif.if [
     i32 -2, label %B1238.endif.endif
     i32 0, label %B1238.endif.endif
   ]
 
 B1238.endif.if:
-  %.484 = icmp sgt i32 %.476, 0
-  %.477 = load ptr, ptr %excinfo.3, align 8
-  %.485 = select i1 %.484, ptr %.477, ptr undef
-  store ptr %.485, ptr %excinfo, align 8
+  %.487 = icmp sgt i32 %.479, 0
+  %.480 = load ptr, ptr %excinfo.3, align 8
+  %.488 = select i1 %.487, ptr %.480, ptr undef
+  store ptr %.488, ptr %excinfo, align 8
   br label %common.ret
 
 B1238.endif.endif:
-  %exitcond.not = icmp eq i64 %arg.directions, %.412
+  %exitcond.not = icmp eq i64 %arg.directions, %.415
   br i1 %exitcond.not, label %B1370, label %B1236.if
 
 B1408.if:
-  %.695 = icmp sgt i32 %.687, 0
-  %.688 = load ptr, ptr %excinfo.4, align 8
-  %.696 = select i1 %.695, ptr %.688, ptr undef
-  store ptr %.696, ptr %excinfo, align 8
+  %.760 = icmp sgt i32 %.752, 0
+  %.753 = load ptr, ptr %excinfo.4, align 8
+  %.761 = select i1 %.760, ptr %.753, ptr undef
+  store ptr %.761, ptr %excinfo, align 8
   br label %common.ret
 
 B1408.endif:
-  %.709 = load double, ptr %.708, align 8
-  %.711 = fmul contract double %.640, %.709
-  %.715 = fdiv contract double 1.000000e+00, %.711
-  store ptr null, ptr %.723, align 8
-  %.727 = call i32 @copy.27(ptr nonnull %.723, ptr nonnull %excinfo.5, i64 %.109, ptr %.642, ptr %arg.Y)
-  switch i32 %.727, label %B1408.endif.endif.if [
+  %.774 = load double, ptr %.773, align 8
+  %.776 = fmul contract double %.642, %.774
+  %.780 = fdiv contract double 1.000000e+00, %.776
+  store ptr null, ptr %.788, align 8
+  %.792 = call i32 @copy.27(ptr nonnull %.788, ptr nonnull %excinfo.5, i64 %.112, ptr %.644, ptr %arg.Y)
+  switch i32 %.792, label %B1408.endif.endif.if [
     i32 -2, label %B1408.endif.endif.endif
     i32 0, label %B1408.endif.endif.endif
   ]
 
 B1408.endif.endif.if:
-  %.735 = icmp sgt i32 %.727, 0
-  %.728 = load ptr, ptr %excinfo.5, align 8
-  %.736 = select i1 %.735, ptr %.728, ptr undef
-  store ptr %.736, ptr %excinfo, align 8
+  %.800 = icmp sgt i32 %.792, 0
+  %.793 = load ptr, ptr %excinfo.5, align 8
+  %.801 = select i1 %.800, ptr %.793, ptr undef
+  store ptr %.801, ptr %excinfo, align 8
   br label %common.ret
 
 B1408.endif.endif.endif:
-  store double %.637, ptr %.750, align 8
-  store ptr null, ptr %.761, align 8
-  %.765 = call i32 @drive.6(ptr nonnull %.761, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.218, ptr %.226)
-  switch i32 %.765, label %B1408.endif.endif.endif.if [
+  store double %.639, ptr %.815, align 8
+  store ptr null, ptr %.826, align 8
+  %.830 = call i32 @drive.6(ptr nonnull %.826, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.221, ptr %.229)
+  switch i32 %.830, label %B1408.endif.endif.endif.if [
     i32 -2, label %B1408.endif.endif.endif.endif
     i32 0, label %B1408.endif.endif.endif.endif
   ]
 
 B1408.endif.endif.endif.if:
-  %.773 = icmp sgt i32 %.765, 0
-  %.766 = load ptr, ptr %excinfo.6, align 8
-  %.774 = select i1 %.773, ptr %.766, ptr undef
-  store ptr %.774, ptr %excinfo, align 8
+  %.838 = icmp sgt i32 %.830, 0
+  %.831 = load ptr, ptr %excinfo.6, align 8
+  %.839 = select i1 %.838, ptr %.831, ptr undef
+  store ptr %.839, ptr %excinfo, align 8
   br label %common.ret
 
 B1408.endif.endif.endif.endif:
-  br i1 %.8661122, label %B1798.if.preheader, label %B1844.preheader
+  br i1 %.9311111, label %B1838.if.preheader, label %B1884.preheader
 
-B1798.if.preheader:
+B1838.if.preheader:
   call void @llvm.memset.p0.i64(ptr align 8 %scevgep, i8 0, i64 %17, i1 false)
-  br label %B1844.preheader
+  br label %B1884.preheader
 
-B1846.if:
-  %.936.01139 = phi i64 [ %.1006, %B1844.loopexit ], [ 0, %B1844.preheader ]
-  %.1006 = add nuw nsw i64 %.936.01139, 1
-  %.1036 = mul nsw i64 %.936.01139, %arg.Y_length
-  %.1038 = getelementptr double, ptr %arg.Y_dot, i64 %.1036
-  %.1041 = mul nsw i64 %.936.01139, %arg.numbers_length
-  %.1043 = getelementptr double, ptr %arg.numbers_dot, i64 %.1041
-  %invariant.gep = getelementptr double, ptr %arg.y_dot, i64 %.936.01139
-  br i1 %.824, label %B1956.if, label %B2006
+B1886.if:
+  %.1001.01128 = phi i64 [ %.1071, %B1884.loopexit ], [ 0, %B1884.preheader ]
+  %.1071 = add nuw nsw i64 %.1001.01128, 1
+  %.1101 = mul nsw i64 %.1001.01128, %arg.Y_length
+  %.1103 = getelementptr double, ptr %arg.Y_dot, i64 %.1101
+  %.1106 = mul nsw i64 %.1001.01128, %arg.numbers_length
+  %.1108 = getelementptr double, ptr %arg.numbers_dot, i64 %.1106
+  %invariant.gep = getelementptr double, ptr %arg.y_dot, i64 %.1001.01128
+  br i1 %.889, label %B1996.if, label %B2046
 
-B1956.if:
-  %.1074.01126 = phi i64 [ %.1143, %B1956.if ], [ 0, %B1846.if ]
-  %.1143 = add nuw nsw i64 %.1074.01126, 1
-  %.idx929 = shl i64 %.1074.01126, 6
-  %gep = getelementptr i8, ptr %invariant.gep, i64 %.idx929
-  %.1173 = load double, ptr %gep, align 8
-  %.1175 = getelementptr double, ptr %.1038, i64 %.1074.01126
-  store double %.1173, ptr %.1175, align 8
-  %exitcond1416.not = icmp eq i64 %.109, %.1143
-  br i1 %exitcond1416.not, label %B2006, label %B1956.if
+B1996.if:
+  %.1139.01115 = phi i64 [ %.1208, %B1996.if ], [ 0, %B1886.if ]
+  %.1208 = add nuw nsw i64 %.1139.01115, 1
+  %.idx931 = shl i64 %.1139.01115, 6
+  %gep = getelementptr i8, ptr %invariant.gep, i64 %.idx931
+  %.1238 = load double, ptr %gep, align 8
+  %.1240 = getelementptr double, ptr %.1103, i64 %.1139.01115
+  store double %.1238, ptr %.1240, align 8
+  %exitcond1391.not = icmp eq i64 %.112, %.1208
+  br i1 %exitcond1391.not, label %B2046, label %B1996.if
 
-B2006.if:
-  %.1200 = icmp sgt i32 %.1192, 0
-  %.1193 = load ptr, ptr %excinfo.7, align 8
-  %.1201 = select i1 %.1200, ptr %.1193, ptr undef
-  store ptr %.1201, ptr %excinfo, align 8
+B2046.if:
+  %.1265 = icmp sgt i32 %.1257, 0
+  %.1258 = load ptr, ptr %excinfo.7, align 8
+  %.1266 = select i1 %.1265, ptr %.1258, ptr undef
+  store ptr %.1266, ptr %excinfo, align 8
   br label %common.ret
 
-B2006.endif:
-  %.1202 = load double, ptr %.1188, align 8
-  %.1214 = getelementptr double, ptr %.1038, i64 %.123
-  store double %.1202, ptr %.1214, align 8
-  %.1219 = getelementptr double, ptr %.1038, i64 %.109
-  store ptr null, ptr %.1230, align 8
-  %.1234 = call i32 @push_drive.44(ptr nonnull %.1230, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1038, ptr %.1043, ptr %.1219, ptr %.218, ptr %.226)
-  switch i32 %.1234, label %B2006.endif.if [
-    i32 -2, label %B2006.endif.endif
-    i32 0, label %B2006.endif.endif
+B2046.endif:
+  %.1267 = load double, ptr %.1253, align 8
+  %.1279 = getelementptr double, ptr %.1103, i64 %.126
+  store double %.1267, ptr %.1279, align 8
+  %.1284 = getelementptr double, ptr %.1103, i64 %.112
+  store ptr null, ptr %.1295, align 8
+  %.1299 = call i32 @push_drive.45(ptr nonnull %.1295, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1103, ptr %.1108, ptr %.1284, ptr %.221, ptr %.229)
+  switch i32 %.1299, label %B2046.endif.if [
+    i32 -2, label %B2046.endif.endif
+    i32 0, label %B2046.endif.endif
   ]
 
-B2006.endif.if:
-  %.1242 = icmp sgt i32 %.1234, 0
-  %.1235 = load ptr, ptr %excinfo.8, align 8
-  %.1243 = select i1 %.1242, ptr %.1235, ptr undef
-  store ptr %.1243, ptr %excinfo, align 8
+B2046.endif.if:
+  %.1307 = icmp sgt i32 %.1299, 0
+  %.1300 = load ptr, ptr %excinfo.8, align 8
+  %.1308 = select i1 %.1307, ptr %.1300, ptr undef
+  store ptr %.1308, ptr %excinfo, align 8
   br label %common.ret
 
-B2006.endif.endif:
-  store ptr null, ptr %.1266, align 8
-  %.1270 = call i32 @push_drive.63(ptr nonnull %.1266, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1038, ptr %.1043, ptr %.209, ptr %.218, ptr %.226)
-  switch i32 %.1270, label %B2006.endif.endif.if [
-    i32 -2, label %B2006.endif.endif.endif
-    i32 0, label %B2006.endif.endif.endif
+B2046.endif.endif:
+  store ptr null, ptr %.1331, align 8
+  %.1335 = call i32 @push_drive.65(ptr nonnull %.1331, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1103, ptr %.1108, ptr %.212, ptr %.221, ptr %.229)
+  switch i32 %.1335, label %B2046.endif.endif.if [
+    i32 -2, label %B2046.endif.endif.endif
+    i32 0, label %B2046.endif.endif.endif
   ]
 
-B2006.endif.endif.if:
-  %.1278 = icmp sgt i32 %.1270, 0
-  %.1271 = load ptr, ptr %excinfo.9, align 8
-  %.1279 = select i1 %.1278, ptr %.1271, ptr undef
-  store ptr %.1279, ptr %excinfo, align 8
+B2046.endif.endif.if:
+  %.1343 = icmp sgt i32 %.1335, 0
+  %.1336 = load ptr, ptr %excinfo.9, align 8
+  %.1344 = select i1 %.1343, ptr %.1336, ptr undef
+  store ptr %.1344, ptr %excinfo, align 8
   br label %common.ret
 
-B2006.endif.endif.endif:
-  store ptr null, ptr %.1302, align 8
-  %.1306 = call i32 @push_jacobian.64(ptr nonnull %.1302, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1038, ptr %.1043, ptr %.195, ptr %.218, ptr %.226)
-  switch i32 %.1306, label %B2006.endif.endif.endif.if [
-    i32 -2, label %B2006.endif.endif.endif.endif
-    i32 0, label %B2006.endif.endif.endif.endif
+B2046.endif.endif.endif:
+  store ptr null, ptr %.1367, align 8
+  %.1371 = call i32 @push_jacobian.66(ptr nonnull %.1367, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1103, ptr %.1108, ptr %.198, ptr %.221, ptr %.229)
+  switch i32 %.1371, label %B2046.endif.endif.endif.if [
+    i32 -2, label %B2046.endif.endif.endif.endif
+    i32 0, label %B2046.endif.endif.endif.endif
   ]
 
-B2006.endif.endif.endif.if:
-  %.1314 = icmp sgt i32 %.1306, 0
-  %.1307 = load ptr, ptr %excinfo.10, align 8
-  %.1315 = select i1 %.1314, ptr %.1307, ptr undef
-  store ptr %.1315, ptr %excinfo, align 8
+B2046.endif.endif.endif.if:
+  %.1379 = icmp sgt i32 %.1371, 0
+  %.1372 = load ptr, ptr %excinfo.10, align 8
+  %.1380 = select i1 %.1379, ptr %.1372, ptr undef
+  store ptr %.1380, ptr %excinfo, align 8
   br label %common.ret
 
-B2006.endif.endif.endif.endif:
-  %invariant.gep1128 = getelementptr double, ptr %.308, i64 %.936.01139
-  br i1 %.14101130.not, label %B2352, label %B2290.if
+B2046.endif.endif.endif.endif:
+  %invariant.gep1117 = getelementptr double, ptr %.311, i64 %.1001.01128
+  br i1 %.14751119.not, label %B2392, label %B2330.if
 
-B2290.if:
-  %.1354.01131 = phi i64 [ %.1423, %B2290.if ], [ 0, %B2006.endif.endif.endif.endif ]
-  %.1423 = add nuw nsw i64 %.1354.01131, 1
-  %.1449 = getelementptr i32, ptr %arg.entry_places, i64 %.1354.01131
-  %.1450 = load i32, ptr %.1449, align 4
-  %.1452 = sext i32 %.1450 to i64
-  %.1453 = getelementptr double, ptr %.195, i64 %.1452
-  %.1454 = load double, ptr %.1453, align 8
-  %.idx928 = shl i64 %.1354.01131, 6
-  %gep1129 = getelementptr i8, ptr %invariant.gep1128, i64 %.idx928
-  store double %.1454, ptr %gep1129, align 8
-  %exitcond1417.not = icmp eq i64 %arg.entry_count, %.1423
-  br i1 %exitcond1417.not, label %B2352, label %B2290.if
+B2330.if:
+  %.1419.01120 = phi i64 [ %.1488, %B2330.if ], [ 0, %B2046.endif.endif.endif.endif ]
+  %.1488 = add nuw nsw i64 %.1419.01120, 1
+  %.1514 = getelementptr i32, ptr %arg.entry_places, i64 %.1419.01120
+  %.1515 = load i32, ptr %.1514, align 4
+  %.1517 = sext i32 %.1515 to i64
+  %.1518 = getelementptr double, ptr %.198, i64 %.1517
+  %.1519 = load double, ptr %.1518, align 8
+  %.idx930 = shl i64 %.1419.01120, 6
+  %gep1118 = getelementptr i8, ptr %invariant.gep1117, i64 %.idx930
+  store double %.1519, ptr %gep1118, align 8
+  %exitcond1392.not = icmp eq i64 %arg.entry_count, %.1488
+  br i1 %exitcond1392.not, label %B2392, label %B2330.if
 
-B2382.if:
-  %.1490.01136 = phi i64 [ %.1559, %B2382.if ], [ 0, %B2352 ]
-  %.1559 = add nuw nsw i64 %.1490.01136, 1
-  %.1585 = getelementptr i32, ptr %arg.drive_rows, i64 %.1490.01136
-  %.1586 = load i32, ptr %.1585, align 4
-  %.1587 = sext i32 %.1586 to i64
-  %.idx927 = shl nsw i64 %.1587, 6
-  %gep1134 = getelementptr i8, ptr %invariant.gep1133, i64 %.idx927
-  %.1593 = load double, ptr %gep1134, align 8
-  %.1596 = add nsw i64 %.1490.01136, %.134
-  %.1598 = getelementptr double, ptr %.195, i64 %.1596
-  %.1599 = load double, ptr %.1598, align 8
-  %.1601 = getelementptr i32, ptr %arg.drive_columns, i64 %.1490.01136
-  %.1602 = load i32, ptr %.1601, align 4
-  %.1604 = sext i32 %.1602 to i64
-  %.1605 = getelementptr double, ptr %.200, i64 %.1604
-  %.1606 = load double, ptr %.1605, align 8
-  %.1607 = fmul contract double %.1599, %.1606
-  %.1612 = getelementptr double, ptr %.190, i64 %.1596
-  %.1613 = load double, ptr %.1612, align 8
-  %.1619 = getelementptr double, ptr %.209, i64 %.1604
-  %.1620 = load double, ptr %.1619, align 8
-  %.1621 = fmul contract double %.1613, %.1620
-  %.1622 = fadd contract double %.1607, %.1621
-  %.1623 = fadd contract double %.1593, %.1622
-  store double %.1623, ptr %gep1134, align 8
-  %exitcond1418.not = icmp eq i64 %.126, %.1559
-  br i1 %exitcond1418.not, label %B1844.loopexit, label %B2382.if
+B2422.if:
+  %.1555.01125 = phi i64 [ %.1624, %B2422.if ], [ 0, %B2392 ]
+  %.1624 = add nuw nsw i64 %.1555.01125, 1
+  %.1650 = getelementptr i32, ptr %arg.drive_rows, i64 %.1555.01125
+  %.1651 = load i32, ptr %.1650, align 4
+  %.1652 = sext i32 %.1651 to i64
+  %.idx929 = shl nsw i64 %.1652, 6
+  %gep1123 = getelementptr i8, ptr %invariant.gep1122, i64 %.idx929
+  %.1658 = load double, ptr %gep1123, align 8
+  %.1661 = add nsw i64 %.1555.01125, %.137
+  %.1663 = getelementptr double, ptr %.198, i64 %.1661
+  %.1664 = load double, ptr %.1663, align 8
+  %.1666 = getelementptr i32, ptr %arg.drive_columns, i64 %.1555.01125
+  %.1667 = load i32, ptr %.1666, align 4
+  %.1669 = sext i32 %.1667 to i64
+  %.1670 = getelementptr double, ptr %.203, i64 %.1669
+  %.1671 = load double, ptr %.1670, align 8
+  %.1672 = fmul contract double %.1664, %.1671
+  %.1677 = getelementptr double, ptr %.193, i64 %.1661
+  %.1678 = load double, ptr %.1677, align 8
+  %.1684 = getelementptr double, ptr %.212, i64 %.1669
+  %.1685 = load double, ptr %.1684, align 8
+  %.1686 = fmul contract double %.1678, %.1685
+  %.1687 = fadd contract double %.1672, %.1686
+  %.1688 = fadd contract double %.1658, %.1687
+  store double %.1688, ptr %gep1123, align 8
+  %exitcond1393.not = icmp eq i64 %.129, %.1624
+  br i1 %exitcond1393.not, label %B1884.loopexit, label %B2422.if
 
-B2614.if:
-  %.1662.01169 = phi i64 [ %.1732, %B4546.endif ], [ 0, %B2614.if.preheader ]
-  %.1732 = add nuw nsw i64 %.1662.01169, 1
-  %.1762 = mul nsw i64 %.1662.01169, %.109
-  %.1764 = getelementptr double, ptr %arg.work, i64 %.1762
-  %25 = getelementptr double, ptr %arg.method, i64 %.1662.01169
-  %.1768 = getelementptr i8, ptr %25, i64 1088
-  %.1769 = load double, ptr %.1768, align 8
-  %.1781 = getelementptr double, ptr %.140, i64 %.1762
-  store ptr null, ptr %.1784, align 8
-  %.1788 = call i32 @copy.27(ptr nonnull %.1784, ptr nonnull %excinfo.11, i64 %.109, ptr %.1781, ptr %arg.Y)
-  switch i32 %.1788, label %B2616.if [
-    i32 -2, label %B2616.endif
-    i32 0, label %B2616.endif
+B2654.if:
+  %.1727.01158 = phi i64 [ %.1797, %B4598.endif ], [ 0, %B2654.if.preheader ]
+  %.1797 = add nuw nsw i64 %.1727.01158, 1
+  %.1827 = mul nsw i64 %.1727.01158, %.112
+  %.1829 = getelementptr double, ptr %arg.work, i64 %.1827
+  %25 = getelementptr double, ptr %arg.method, i64 %.1727.01158
+  %.1833 = getelementptr i8, ptr %25, i64 1088
+  %.1834 = load double, ptr %.1833, align 8
+  %.1846 = getelementptr double, ptr %.143, i64 %.1827
+  store ptr null, ptr %.1849, align 8
+  %.1853 = call i32 @copy.27(ptr nonnull %.1849, ptr nonnull %excinfo.11, i64 %.112, ptr %.1846, ptr %arg.Y)
+  switch i32 %.1853, label %B2656.if [
+    i32 -2, label %B2656.endif
+    i32 0, label %B2656.endif
   ]
 
-B2616.if:
-  %.1796 = icmp sgt i32 %.1788, 0
-  %.1789 = load ptr, ptr %excinfo.11, align 8
-  %.1797 = select i1 %.1796, ptr %.1789, ptr undef
-  store ptr %.1797, ptr %excinfo, align 8
+B2656.if:
+  %.1861 = icmp sgt i32 %.1853, 0
+  %.1854 = load ptr, ptr %excinfo.11, align 8
+  %.1862 = select i1 %.1861, ptr %.1854, ptr undef
+  store ptr %.1862, ptr %excinfo, align 8
   br label %common.ret
 
-B2616.endif:
-  %.1811 = getelementptr i8, ptr %25, i64 1024
-  %.1812 = load double, ptr %.1811, align 8
-  %.1814 = fmul contract double %.640, %.1812
-  %.1816 = fadd contract double %.637, %.1814
-  store double %.1816, ptr %.750, align 8
-  store ptr null, ptr %.1830, align 8
-  %.1834 = call i32 @drive.6(ptr nonnull %.1830, ptr nonnull %excinfo.12, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.218, ptr %.226)
-  switch i32 %.1834, label %B2616.endif.if [
-    i32 -2, label %B2616.endif.endif
-    i32 0, label %B2616.endif.endif
+B2656.endif:
+  %.1876 = getelementptr i8, ptr %25, i64 1024
+  %.1877 = load double, ptr %.1876, align 8
+  %.1879 = fmul contract double %.642, %.1877
+  %.1881 = fadd contract double %.639, %.1879
+  store double %.1881, ptr %.815, align 8
+  store ptr null, ptr %.1895, align 8
+  %.1899 = call i32 @drive.6(ptr nonnull %.1895, ptr nonnull %excinfo.12, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.221, ptr %.229)
+  switch i32 %.1899, label %B2656.endif.if [
+    i32 -2, label %B2656.endif.endif
+    i32 0, label %B2656.endif.endif
   ]
 
-B2616.endif.if:
-  %.1842 = icmp sgt i32 %.1834, 0
-  %.1835 = load ptr, ptr %excinfo.12, align 8
-  %.1843 = select i1 %.1842, ptr %.1835, ptr undef
-  store ptr %.1843, ptr %excinfo, align 8
+B2656.endif.if:
+  %.1907 = icmp sgt i32 %.1899, 0
+  %.1900 = load ptr, ptr %excinfo.12, align 8
+  %.1908 = select i1 %.1907, ptr %.1900, ptr undef
+  store ptr %.1908, ptr %excinfo, align 8
   br label %common.ret
 
-B2616.endif.endif:
-  store ptr null, ptr %.1864, align 8
-  %.1868 = call i32 @jacobian.4(ptr nonnull %.1864, ptr nonnull %excinfo.13, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.190, ptr %.218, ptr %.226)
-  switch i32 %.1868, label %B2616.endif.endif.if [
-    i32 -2, label %B2616.endif.endif.endif
-    i32 0, label %B2616.endif.endif.endif
+B2656.endif.endif:
+  %.1920.not = icmp eq i64 %.1727.01158, 0
+  br i1 %.1920.not, label %B2948, label %B2902
+
+B2902.if:
+  %.1944 = icmp sgt i32 %.1936, 0
+  %.1937 = load ptr, ptr %excinfo.13, align 8
+  %.1945 = select i1 %.1944, ptr %.1937, ptr undef
+  store ptr %.1945, ptr %excinfo, align 8
+  br label %common.ret
+
+B3024.if:
+  %.2107.01134 = phi i64 [ 0, %B3024.if.lr.ph ], [ %.2176, %B3026.endif.endif ]
+  %.2207 = getelementptr double, ptr %21, i64 %.2107.01134
+  %.2208 = load double, ptr %.2207, align 8
+  %.2209 = fneg contract double %.2208
+  %.2214 = fdiv contract double %.2209, %.642
+  %.2216 = mul nsw i64 %.2107.01134, %.112
+  %.2218 = getelementptr double, ptr %arg.work, i64 %.2216
+  store ptr null, ptr %.2221, align 8
+  %.2225 = call i32 @add_scaled.29(ptr nonnull %.2221, ptr nonnull %excinfo.14, i64 %.112, double %.2214, ptr %.2218, ptr %.156)
+  switch i32 %.2225, label %B3026.endif.if [
+    i32 -2, label %B3026.endif.endif
+    i32 0, label %B3026.endif.endif
   ]
 
-B2616.endif.endif.if:
-  %.1876 = icmp sgt i32 %.1868, 0
-  %.1869 = load ptr, ptr %excinfo.13, align 8
-  %.1877 = select i1 %.1876, ptr %.1869, ptr undef
-  store ptr %.1877, ptr %excinfo, align 8
+B3026.endif.if:
+  %.2233 = icmp sgt i32 %.2225, 0
+  %.2226 = load ptr, ptr %excinfo.14, align 8
+  %.2234 = select i1 %.2233, ptr %.2226, ptr undef
+  store ptr %.2234, ptr %excinfo, align 8
   br label %common.ret
 
-B2616.endif.endif.endif:
-  br i1 %.19681141.not, label %B2942, label %B2926.if.preheader
+B3026.endif.endif:
+  %.2176 = add nuw nsw i64 %.2107.01134, 1
+  %exitcond1395.not = icmp eq i64 %.2176, %.1727.01158
+  br i1 %exitcond1395.not, label %B3148, label %B3024.if
 
-B2926.if.preheader:
-  call void @llvm.memset.p0.i64(ptr align 8 %.153, i8 0, i64 %18, i1 false)
-  br label %B2942
+B3148.if:
+  %.2267 = icmp sgt i32 %.2259, 0
+  %.2260 = load ptr, ptr %excinfo.15, align 8
+  %.2268 = select i1 %.2267, ptr %.2260, ptr undef
+  store ptr %.2268, ptr %excinfo, align 8
+  br label %common.ret
 
-B2972.if:
-  %.2038.01145 = phi i64 [ 0, %B2972.if.lr.ph ], [ %.2107, %B2974.endif.endif ]
-  %.2138 = getelementptr double, ptr %21, i64 %.2038.01145
-  %.2139 = load double, ptr %.2138, align 8
-  %.2140 = fneg contract double %.2139
-  %.2145 = fdiv contract double %.2140, %.640
-  %.2147 = mul nsw i64 %.2038.01145, %.109
-  %.2149 = getelementptr double, ptr %arg.work, i64 %.2147
-  store ptr null, ptr %.2152, align 8
-  %.2156 = call i32 @add_scaled.29(ptr nonnull %.2152, ptr nonnull %excinfo.14, i64 %.109, double %.2145, ptr %.2149, ptr %.153)
-  switch i32 %.2156, label %B2974.endif.if [
-    i32 -2, label %B2974.endif.endif
-    i32 0, label %B2974.endif.endif
+B3148.endif:
+  store ptr null, ptr %.2284, align 8
+  %.2288 = call i32 @copy.27(ptr nonnull %.2284, ptr nonnull %excinfo.16, i64 %.142, ptr %arg.y_dot, ptr %.277)
+  switch i32 %.2288, label %B3148.endif.if [
+    i32 -2, label %B3148.endif.endif
+    i32 0, label %B3148.endif.endif
   ]
 
-B2974.endif.if:
-  %.2164 = icmp sgt i32 %.2156, 0
-  %.2157 = load ptr, ptr %excinfo.14, align 8
-  %.2165 = select i1 %.2164, ptr %.2157, ptr undef
-  store ptr %.2165, ptr %excinfo, align 8
+B3148.endif.if:
+  %.2296 = icmp sgt i32 %.2288, 0
+  %.2289 = load ptr, ptr %excinfo.16, align 8
+  %.2297 = select i1 %.2296, ptr %.2289, ptr undef
+  store ptr %.2297, ptr %excinfo, align 8
   br label %common.ret
 
-B2974.endif.endif:
-  %.2107 = add nuw nsw i64 %.2038.01145, 1
-  %exitcond1420.not = icmp eq i64 %.2107, %.1662.01169
-  br i1 %exitcond1420.not, label %B3096, label %B2972.if
+B3148.endif.endif:
+  br i1 %.23891136, label %B3280.if.lr.ph, label %B3350.preheader
 
-B3096.if:
-  %.2198 = icmp sgt i32 %.2190, 0
-  %.2191 = load ptr, ptr %excinfo.15, align 8
-  %.2199 = select i1 %.2198, ptr %.2191, ptr undef
-  store ptr %.2199, ptr %excinfo, align 8
-  br label %common.ret
+B3280.if.lr.ph:
+  %.2429 = fmul contract double %.642, %.1834
+  br label %B3280.if
 
-B3096.endif:
-  store ptr null, ptr %.2215, align 8
-  %.2219 = call i32 @copy.27(ptr nonnull %.2215, ptr nonnull %excinfo.16, i64 %.139, ptr %arg.y_dot, ptr %.274)
-  switch i32 %.2219, label %B3096.endif.if [
-    i32 -2, label %B3096.endif.endif
-    i32 0, label %B3096.endif.endif
+B3280.if:
+  %.2333.01137 = phi i64 [ 0, %B3280.if.lr.ph ], [ %.2402, %B3280.if ]
+  %.2402 = add nuw nsw i64 %.2333.01137, 1
+  %.2431 = getelementptr double, ptr %.291, i64 %.2333.01137
+  %.2432 = load double, ptr %.2431, align 8
+  %.2433 = fmul contract double %.2429, %.2432
+  %.2435 = getelementptr double, ptr %.287, i64 %.2333.01137
+  store double %.2433, ptr %.2435, align 8
+  %exitcond1396.not = icmp eq i64 %.2402, %storemerge908
+  br i1 %exitcond1396.not, label %B3350.preheader, label %B3280.if
+
+B3350.if:
+  %.2466.01140 = phi i64 [ 0, %B3350.if.lr.ph ], [ %.2535, %B3352.endif.endif.endif ]
+  %.2535 = add nuw nsw i64 %.2466.01140, 1
+  %.2564.idx = mul i64 %.2561, %.2466.01140
+  %.2564 = getelementptr i8, ptr %.272, i64 %.2564.idx
+  %.2572 = getelementptr double, ptr %22, i64 %.2466.01140
+  %.2573 = load double, ptr %.2572, align 8
+  store ptr null, ptr %.2575, align 8
+  %.2579 = call i32 @add_scaled.29(ptr nonnull %.2575, ptr nonnull %excinfo.17, i64 %.142, double %.2573, ptr %.2564, ptr %.277)
+  switch i32 %.2579, label %B3352.if [
+    i32 -2, label %B3352.endif
+    i32 0, label %B3352.endif
   ]
 
-B3096.endif.if:
-  %.2227 = icmp sgt i32 %.2219, 0
-  %.2220 = load ptr, ptr %excinfo.16, align 8
-  %.2228 = select i1 %.2227, ptr %.2220, ptr undef
-  store ptr %.2228, ptr %excinfo, align 8
+B3352.if:
+  %.2587 = icmp sgt i32 %.2579, 0
+  %.2580 = load ptr, ptr %excinfo.17, align 8
+  %.2588 = select i1 %.2587, ptr %.2580, ptr undef
+  store ptr %.2588, ptr %excinfo, align 8
   br label %common.ret
 
-B3096.endif.endif:
-  br i1 %.23201147, label %B3228.if.lr.ph, label %B3298.preheader
-
-B3228.if.lr.ph:
-  %.2360 = fmul contract double %.640, %.1769
-  br label %B3228.if
-
-B3228.if:
-  %.2264.01148 = phi i64 [ 0, %B3228.if.lr.ph ], [ %.2333, %B3228.if ]
-  %.2333 = add nuw nsw i64 %.2264.01148, 1
-  %.2362 = getelementptr double, ptr %.288, i64 %.2264.01148
-  %.2363 = load double, ptr %.2362, align 8
-  %.2364 = fmul contract double %.2360, %.2363
-  %.2366 = getelementptr double, ptr %.284, i64 %.2264.01148
-  store double %.2364, ptr %.2366, align 8
-  %exitcond1421.not = icmp eq i64 %.2333, %storemerge906
-  br i1 %exitcond1421.not, label %B3298.preheader, label %B3228.if
-
-B3298.if:
-  %.2397.01151 = phi i64 [ 0, %B3298.if.lr.ph ], [ %.2466, %B3300.endif.endif.endif ]
-  %.2466 = add nuw nsw i64 %.2397.01151, 1
-  %.2495.idx = mul i64 %.2492, %.2397.01151
-  %.2495 = getelementptr i8, ptr %.269, i64 %.2495.idx
-  %.2503 = getelementptr double, ptr %22, i64 %.2397.01151
-  %.2504 = load double, ptr %.2503, align 8
-  store ptr null, ptr %.2506, align 8
-  %.2510 = call i32 @add_scaled.29(ptr nonnull %.2506, ptr nonnull %excinfo.17, i64 %.139, double %.2504, ptr %.2495, ptr %.274)
-  switch i32 %.2510, label %B3300.if [
-    i32 -2, label %B3300.endif
-    i32 0, label %B3300.endif
+B3352.endif:
+  %.2605 = getelementptr double, ptr %23, i64 %.2466.01140
+  %.2606 = load double, ptr %.2605, align 8
+  %.2611 = fdiv contract double %.2606, %.642
+  store ptr null, ptr %.2615, align 8
+  %.2619 = call i32 @add_masses.67(ptr nonnull %.2615, ptr nonnull %excinfo.18, i64 %.112, ptr %arg.mass, double %.2611, ptr %.2564, ptr %.287)
+  switch i32 %.2619, label %B3352.endif.endif.if [
+    i32 -2, label %B3352.endif.endif.endif
+    i32 0, label %B3352.endif.endif.endif
   ]
 
-B3300.if:
-  %.2518 = icmp sgt i32 %.2510, 0
-  %.2511 = load ptr, ptr %excinfo.17, align 8
-  %.2519 = select i1 %.2518, ptr %.2511, ptr undef
-  store ptr %.2519, ptr %excinfo, align 8
+B3352.endif.endif.if:
+  %.2627 = icmp sgt i32 %.2619, 0
+  %.2620 = load ptr, ptr %excinfo.18, align 8
+  %.2628 = select i1 %.2627, ptr %.2620, ptr undef
+  store ptr %.2628, ptr %excinfo, align 8
   br label %common.ret
 
-B3300.endif:
-  %.2536 = getelementptr double, ptr %23, i64 %.2397.01151
-  %.2537 = load double, ptr %.2536, align 8
-  %.2542 = fdiv contract double %.2537, %.640
-  store ptr null, ptr %.2546, align 8
-  %.2550 = call i32 @add_masses.65(ptr nonnull %.2546, ptr nonnull %excinfo.18, i64 %.109, ptr %arg.mass, double %.2542, ptr %.2495, ptr %.284)
-  switch i32 %.2550, label %B3300.endif.endif.if [
-    i32 -2, label %B3300.endif.endif.endif
-    i32 0, label %B3300.endif.endif.endif
+B3352.endif.endif.endif:
+  %exitcond1397.not = icmp eq i64 %.2535, %.1727.01158
+  br i1 %exitcond1397.not, label %B3600.preheader, label %B3350.if
+
+B3602.if:
+  %.2668.01153 = phi i64 [ %.2738, %B4330 ], [ 0, %B3600.preheader ]
+  %.2738 = add nuw nsw i64 %.2668.01153, 1
+  %.2768 = mul nsw i64 %.2668.01153, %arg.Y_length
+  %.2770 = getelementptr double, ptr %arg.Y_dot, i64 %.2768
+  %.2773 = mul nsw i64 %.2668.01153, %arg.numbers_length
+  %.2775 = getelementptr double, ptr %arg.numbers_dot, i64 %.2773
+  %.2785.idx = shl i64 %.2668.01153, 4
+  %.2785 = getelementptr i8, ptr %arg.ends_dot, i64 %.2785.idx
+  store double 0.000000e+00, ptr %.2789, align 8
+  %.2793 = call i32 @size_rate.68(ptr nonnull %.2789, ptr nonnull %excinfo.19, i64 %.578.sroa.0.01183, i64 %arg.step_count, ptr %.2785)
+  %.2803 = load double, ptr %.2789, align 8
+  switch i32 %.2793, label %B3604.if [
+    i32 -2, label %B3604.endif
+    i32 0, label %B3604.endif
   ]
 
-B3300.endif.endif.if:
-  %.2558 = icmp sgt i32 %.2550, 0
-  %.2551 = load ptr, ptr %excinfo.18, align 8
-  %.2559 = select i1 %.2558, ptr %.2551, ptr undef
-  store ptr %.2559, ptr %excinfo, align 8
+B3604.if:
+  %.2801 = icmp sgt i32 %.2793, 0
+  %.2794 = load ptr, ptr %excinfo.19, align 8
+  %.2802 = select i1 %.2801, ptr %.2794, ptr undef
+  store ptr %.2802, ptr %excinfo, align 8
   br label %common.ret
 
-B3300.endif.endif.endif:
-  %exitcond1422.not = icmp eq i64 %.2466, %.1662.01169
-  br i1 %exitcond1422.not, label %B3548.preheader, label %B3298.if
-
-B3550.if:
-  %.2599.01164 = phi i64 [ %.2669, %B4278 ], [ 0, %B3548.preheader ]
-  %.2669 = add nuw nsw i64 %.2599.01164, 1
-  %.2699 = mul nsw i64 %.2599.01164, %arg.Y_length
-  %.2701 = getelementptr double, ptr %arg.Y_dot, i64 %.2699
-  %.2704 = mul nsw i64 %.2599.01164, %arg.numbers_length
-  %.2706 = getelementptr double, ptr %arg.numbers_dot, i64 %.2704
-  %.2716.idx = shl i64 %.2599.01164, 4
-  %.2716 = getelementptr i8, ptr %arg.ends_dot, i64 %.2716.idx
-  store double 0.000000e+00, ptr %.2720, align 8
-  %.2724 = call i32 @size_rate.66(ptr nonnull %.2720, ptr nonnull %excinfo.19, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.2716)
-  %.2734 = load double, ptr %.2720, align 8
-  switch i32 %.2724, label %B3552.if [
-    i32 -2, label %B3552.endif
-    i32 0, label %B3552.endif
+B3604.endif:
+  store double 0.000000e+00, ptr %.2818, align 8
+  %.2822 = call i32 @begin_rate.62(ptr nonnull %.2818, ptr nonnull %excinfo.20, i64 %.578.sroa.0.01183, ptr %.2785)
+  switch i32 %.2822, label %B3604.endif.if [
+    i32 -2, label %B3604.endif.endif
+    i32 0, label %B3604.endif.endif
   ]
 
-B3552.if:
-  %.2732 = icmp sgt i32 %.2724, 0
-  %.2725 = load ptr, ptr %excinfo.19, align 8
-  %.2733 = select i1 %.2732, ptr %.2725, ptr undef
-  store ptr %.2733, ptr %excinfo, align 8
+B3604.endif.if:
+  %.2830 = icmp sgt i32 %.2822, 0
+  %.2823 = load ptr, ptr %excinfo.20, align 8
+  %.2831 = select i1 %.2830, ptr %.2823, ptr undef
+  store ptr %.2831, ptr %excinfo, align 8
   br label %common.ret
 
-B3552.endif:
-  store double 0.000000e+00, ptr %.2749, align 8
-  %.2753 = call i32 @begin_rate.60(ptr nonnull %.2749, ptr nonnull %excinfo.20, i64 %.575.sroa.0.01194, ptr %.2716)
-  switch i32 %.2753, label %B3552.endif.if [
-    i32 -2, label %B3552.endif.endif
-    i32 0, label %B3552.endif.endif
+B3604.endif.endif:
+  %.2832 = load double, ptr %.2818, align 8
+  %.2846 = load double, ptr %.1876, align 8
+  %.2848 = fmul contract double %.2803, %.2846
+  %.2849 = fadd contract double %.2832, %.2848
+  %.2852 = getelementptr double, ptr %.2770, i64 %.126
+  store double %.2849, ptr %.2852, align 8
+  %.2857 = getelementptr double, ptr %.2770, i64 %.112
+  store ptr null, ptr %.2868, align 8
+  %.2872 = call i32 @push_drive.45(ptr nonnull %.2868, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2770, ptr %.2775, ptr %.2857, ptr %.221, ptr %.229)
+  switch i32 %.2872, label %B3604.endif.endif.if [
+    i32 -2, label %B3604.endif.endif.endif
+    i32 0, label %B3604.endif.endif.endif
   ]
 
-B3552.endif.if:
-  %.2761 = icmp sgt i32 %.2753, 0
-  %.2754 = load ptr, ptr %excinfo.20, align 8
-  %.2762 = select i1 %.2761, ptr %.2754, ptr undef
-  store ptr %.2762, ptr %excinfo, align 8
+B3604.endif.endif.if:
+  %.2880 = icmp sgt i32 %.2872, 0
+  %.2873 = load ptr, ptr %excinfo.21, align 8
+  %.2881 = select i1 %.2880, ptr %.2873, ptr undef
+  store ptr %.2881, ptr %excinfo, align 8
   br label %common.ret
 
-B3552.endif.endif:
-  %.2763 = load double, ptr %.2749, align 8
-  %.2777 = load double, ptr %.1811, align 8
-  %.2779 = fmul contract double %.2734, %.2777
-  %.2780 = fadd contract double %.2763, %.2779
-  %.2783 = getelementptr double, ptr %.2701, i64 %.123
-  store double %.2780, ptr %.2783, align 8
-  %.2788 = getelementptr double, ptr %.2701, i64 %.109
-  store ptr null, ptr %.2799, align 8
-  %.2803 = call i32 @push_drive.44(ptr nonnull %.2799, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2701, ptr %.2706, ptr %.2788, ptr %.218, ptr %.226)
-  switch i32 %.2803, label %B3552.endif.endif.if [
-    i32 -2, label %B3552.endif.endif.endif
-    i32 0, label %B3552.endif.endif.endif
+B3604.endif.endif.endif:
+  %.2894 = load i64, ptr %.123, align 8
+  %invariant.gep1142 = getelementptr double, ptr %.301, i64 %.2668.01153
+  %.29741144.not = icmp slt i64 %.2894, 1
+  br i1 %.29741144.not, label %B4020, label %B3964.if
+
+B3964.if:
+  %.2918.01145 = phi i64 [ %.2987, %B3964.if ], [ 0, %B3604.endif.endif.endif ]
+  %.2987 = add nuw nsw i64 %.2918.01145, 1
+  %.3015 = getelementptr double, ptr %.2857, i64 %.2918.01145
+  %.3016 = load double, ptr %.3015, align 8
+  %.idx924 = shl i64 %.2918.01145, 6
+  %gep1143 = getelementptr i8, ptr %invariant.gep1142, i64 %.idx924
+  store double %.3016, ptr %gep1143, align 8
+  %exitcond1398.not = icmp eq i64 %.2894, %.2987
+  br i1 %exitcond1398.not, label %B4020, label %B3964.if
+
+B4020.if:
+  %.3045 = icmp sgt i32 %.3037, 0
+  %.3038 = load ptr, ptr %excinfo.22, align 8
+  %.3046 = select i1 %.3045, ptr %.3038, ptr undef
+  store ptr %.3046, ptr %excinfo, align 8
+  br label %common.ret
+
+B4020.endif:
+  %.3047 = load i64, ptr %.3033, align 8
+  %.3058 = mul nsw i64 %.3047, %.2668.01153
+  %.3060 = getelementptr double, ptr %.237, i64 %.3058
+  %.3063 = getelementptr double, ptr %.287, i64 %.2668.01153
+  store ptr null, ptr %.3073, align 8
+  %.3077 = call i32 @push_numbers.69(ptr nonnull %.3073, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2775, ptr %.3060, ptr %.3063, ptr %.221, ptr %.229)
+  switch i32 %.3077, label %B4020.endif.if [
+    i32 -2, label %B4020.endif.endif
+    i32 0, label %B4020.endif.endif
   ]
 
-B3552.endif.endif.if:
-  %.2811 = icmp sgt i32 %.2803, 0
-  %.2804 = load ptr, ptr %excinfo.21, align 8
-  %.2812 = select i1 %.2811, ptr %.2804, ptr undef
-  store ptr %.2812, ptr %excinfo, align 8
+B4020.endif.if:
+  %.3085 = icmp sgt i32 %.3077, 0
+  %.3078 = load ptr, ptr %excinfo.23, align 8
+  %.3086 = select i1 %.3085, ptr %.3078, ptr undef
+  store ptr %.3086, ptr %excinfo, align 8
   br label %common.ret
 
-B3552.endif.endif.endif:
-  %.2825 = load i64, ptr %.120, align 8
-  %invariant.gep1153 = getelementptr double, ptr %.298, i64 %.2599.01164
-  %.29051155.not = icmp slt i64 %.2825, 1
-  br i1 %.29051155.not, label %B3968, label %B3912.if
+B4020.endif.endif:
+  %.3100 = fcmp contract une double %.2803, 0.000000e+00
+  br i1 %.3100, label %B4200.preheader, label %B4330
 
-B3912.if:
-  %.2849.01156 = phi i64 [ %.2918, %B3912.if ], [ 0, %B3552.endif.endif.endif ]
-  %.2918 = add nuw nsw i64 %.2849.01156, 1
-  %.2946 = getelementptr double, ptr %.2788, i64 %.2849.01156
-  %.2947 = load double, ptr %.2946, align 8
-  %.idx922 = shl i64 %.2849.01156, 6
-  %gep1154 = getelementptr i8, ptr %invariant.gep1153, i64 %.idx922
-  store double %.2947, ptr %gep1154, align 8
-  %exitcond1423.not = icmp eq i64 %.2825, %.2918
-  br i1 %exitcond1423.not, label %B3968, label %B3912.if
+B4200.preheader:
+  %invariant.gep1147 = getelementptr double, ptr %.287, i64 %.2668.01153
+  br i1 %.31821149.not, label %B4330, label %B4200.if
 
-B3968.if:
-  %.2976 = icmp sgt i32 %.2968, 0
-  %.2969 = load ptr, ptr %excinfo.22, align 8
-  %.2977 = select i1 %.2976, ptr %.2969, ptr undef
-  store ptr %.2977, ptr %excinfo, align 8
+B4200.if:
+  %.3126.01150 = phi i64 [ %.3195, %B4200.if ], [ 0, %B4200.preheader ]
+  %.3195 = add nuw nsw i64 %.3126.01150, 1
+  %.3221 = getelementptr double, ptr %arg.mass, i64 %.3126.01150
+  %.3222 = load double, ptr %.3221, align 8
+  %.3227 = fdiv contract double %.3222, %.642
+  %.3229 = getelementptr double, ptr %.156, i64 %.3126.01150
+  %.3230 = load double, ptr %.3229, align 8
+  %.3231 = fmul contract double %.3227, %.3230
+  %.3233 = getelementptr double, ptr %.160, i64 %.3126.01150
+  %.3234 = load double, ptr %.3233, align 8
+  %.3236 = fmul contract double %.1834, %.3234
+  %.3237 = fadd contract double %.3231, %.3236
+  %.idx923 = shl i64 %.3126.01150, 6
+  %gep1148 = getelementptr i8, ptr %invariant.gep1147, i64 %.idx923
+  %.3243 = load double, ptr %gep1148, align 8
+  %.3245 = fmul contract double %.2803, %.3237
+  %.3246 = fadd contract double %.3243, %.3245
+  store double %.3246, ptr %gep1148, align 8
+  %exitcond1399.not = icmp eq i64 %.112, %.3195
+  br i1 %exitcond1399.not, label %B4330, label %B4200.if
+
+B4334.if:
+  %.3288 = icmp sgt i32 %.3280, 0
+  %.3281 = load ptr, ptr %excinfo.24, align 8
+  %.3289 = select i1 %.3288, ptr %.3281, ptr undef
+  store ptr %.3289, ptr %excinfo, align 8
   br label %common.ret
 
-B3968.endif:
-  %.2978 = load i64, ptr %.2964, align 8
-  %.2989 = mul nsw i64 %.2978, %.2599.01164
-  %.2991 = getelementptr double, ptr %.234, i64 %.2989
-  %.2994 = getelementptr double, ptr %.284, i64 %.2599.01164
-  store ptr null, ptr %.3004, align 8
-  %.3008 = call i32 @push_numbers.67(ptr nonnull %.3004, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2706, ptr %.2991, ptr %.2994, ptr %.218, ptr %.226)
-  switch i32 %.3008, label %B3968.endif.if [
-    i32 -2, label %B3968.endif.endif
-    i32 0, label %B3968.endif.endif
+B4334.endif:
+  br i1 %.33821155.not, label %B4598, label %B4410.if
+
+B4410.if:
+  %.3326.01156 = phi i64 [ %.3395, %B4412.endif ], [ 0, %B4334.endif ]
+  %.3425 = getelementptr double, ptr %3, i64 %.3326.01156
+  %.3426 = load double, ptr %.3425, align 8
+  %.3428 = getelementptr i32, ptr %arg.drive_columns, i64 %.3326.01156
+  %.3429 = load i32, ptr %.3428, align 4
+  %.3430 = sext i32 %.3429 to i64
+  %.3433.idx = shl nsw i64 %.3430, 6
+  %.3433 = getelementptr i8, ptr %.301, i64 %.3433.idx
+  %.3435 = getelementptr i32, ptr %arg.drive_rows, i64 %.3326.01156
+  %.3436 = load i32, ptr %.3435, align 4
+  %.3437 = sext i32 %.3436 to i64
+  %.3440.idx = shl nsw i64 %.3437, 6
+  %.3440 = getelementptr i8, ptr %.287, i64 %.3440.idx
+  store ptr null, ptr %.3441, align 8
+  %.3445 = call i32 @add_scaled.70(ptr nonnull %.3441, ptr nonnull %excinfo.25, i64 8, double %.3426, ptr %.3433, ptr %.3440)
+  switch i32 %.3445, label %B4412.if [
+    i32 -2, label %B4412.endif
+    i32 0, label %B4412.endif
   ]
 
-B3968.endif.if:
-  %.3016 = icmp sgt i32 %.3008, 0
-  %.3009 = load ptr, ptr %excinfo.23, align 8
-  %.3017 = select i1 %.3016, ptr %.3009, ptr undef
-  store ptr %.3017, ptr %excinfo, align 8
+B4412.if:
+  %.3453 = icmp sgt i32 %.3445, 0
+  %.3446 = load ptr, ptr %excinfo.25, align 8
+  %.3454 = select i1 %.3453, ptr %.3446, ptr undef
+  store ptr %.3454, ptr %excinfo, align 8
   br label %common.ret
 
-B3968.endif.endif:
-  %.3031 = fcmp contract une double %.2734, 0.000000e+00
-  br i1 %.3031, label %B4148.preheader, label %B4278
+B4412.endif:
+  %.3395 = add nuw nsw i64 %.3326.01156, 1
+  %exitcond1401.not = icmp eq i64 %.129, %.3395
+  br i1 %exitcond1401.not, label %B4598, label %B4410.if
 
-B4148.preheader:
-  %invariant.gep1158 = getelementptr double, ptr %.284, i64 %.2599.01164
-  br i1 %.31131160.not, label %B4278, label %B4148.if
-
-B4148.if:
-  %.3057.01161 = phi i64 [ %.3126, %B4148.if ], [ 0, %B4148.preheader ]
-  %.3126 = add nuw nsw i64 %.3057.01161, 1
-  %.3152 = getelementptr double, ptr %arg.mass, i64 %.3057.01161
-  %.3153 = load double, ptr %.3152, align 8
-  %.3158 = fdiv contract double %.3153, %.640
-  %.3160 = getelementptr double, ptr %.153, i64 %.3057.01161
-  %.3161 = load double, ptr %.3160, align 8
-  %.3162 = fmul contract double %.3158, %.3161
-  %.3164 = getelementptr double, ptr %.157, i64 %.3057.01161
-  %.3165 = load double, ptr %.3164, align 8
-  %.3167 = fmul contract double %.1769, %.3165
-  %.3168 = fadd contract double %.3162, %.3167
-  %.idx921 = shl i64 %.3057.01161, 6
-  %gep1159 = getelementptr i8, ptr %invariant.gep1158, i64 %.idx921
-  %.3174 = load double, ptr %gep1159, align 8
-  %.3176 = fmul contract double %.2734, %.3168
-  %.3177 = fadd contract double %.3174, %.3176
-  store double %.3177, ptr %gep1159, align 8
-  %exitcond1424.not = icmp eq i64 %.109, %.3126
-  br i1 %exitcond1424.not, label %B4278, label %B4148.if
-
-B4282.if:
-  %.3219 = icmp sgt i32 %.3211, 0
-  %.3212 = load ptr, ptr %excinfo.24, align 8
-  %.3220 = select i1 %.3219, ptr %.3212, ptr undef
-  store ptr %.3220, ptr %excinfo, align 8
+B4598.if:
+  %.3500 = icmp sgt i32 %.3492, 0
+  %.3493 = load ptr, ptr %excinfo.26, align 8
+  %.3501 = select i1 %.3500, ptr %.3493, ptr undef
+  store ptr %.3501, ptr %excinfo, align 8
   br label %common.ret
 
-B4282.endif:
-  br i1 %.33131166.not, label %B4546, label %B4358.if
+B4598.endif:
+  %exitcond1402.not = icmp eq i64 %.1797, 8
+  br i1 %exitcond1402.not, label %B4700, label %B2654.if
 
-B4358.if:
-  %.3257.01167 = phi i64 [ %.3326, %B4360.endif ], [ 0, %B4282.endif ]
-  %.3356 = getelementptr double, ptr %3, i64 %.3257.01167
-  %.3357 = load double, ptr %.3356, align 8
-  %.3359 = getelementptr i32, ptr %arg.drive_columns, i64 %.3257.01167
-  %.3360 = load i32, ptr %.3359, align 4
-  %.3361 = sext i32 %.3360 to i64
-  %.3364.idx = shl nsw i64 %.3361, 6
-  %.3364 = getelementptr i8, ptr %.298, i64 %.3364.idx
-  %.3366 = getelementptr i32, ptr %arg.drive_rows, i64 %.3257.01167
-  %.3367 = load i32, ptr %.3366, align 4
-  %.3368 = sext i32 %.3367 to i64
-  %.3371.idx = shl nsw i64 %.3368, 6
-  %.3371 = getelementptr i8, ptr %.284, i64 %.3371.idx
-  store ptr null, ptr %.3372, align 8
-  %.3376 = call i32 @add_scaled.68(ptr nonnull %.3372, ptr nonnull %excinfo.25, i64 8, double %.3357, ptr %.3364, ptr %.3371)
-  switch i32 %.3376, label %B4360.if [
-    i32 -2, label %B4360.endif
-    i32 0, label %B4360.endif
+B4822.if:
+  %.3620 = icmp sgt i32 %.3612, 0
+  %.3613 = load ptr, ptr %excinfo.27, align 8
+  %.3621 = select i1 %.3620, ptr %.3613, ptr undef
+  store ptr %.3621, ptr %excinfo, align 8
+  br label %common.ret
+
+B4822.endif:
+  %.3672 = sub i64 %stop.3.2, %start.2.01180
+  %.37161173.not = icmp slt i64 %.3672, 1
+  br i1 %.37161173.not, label %B5714, label %B4974.if
+
+B4974.if:
+  %.3662.01175 = phi i64 [ %.3725, %B4972.loopexit ], [ %.3672, %B4822.endif ]
+  %.3659.01174 = phi i64 [ %.3729, %B4972.loopexit ], [ %start.2.01180, %B4822.endif ]
+  %.3725 = add nsw i64 %.3662.01175, -1
+  %.3729 = add i64 %.3659.01174, 1
+  %.3760 = getelementptr double, ptr %arg.edges, i64 %.3659.01174
+  %.3761 = load double, ptr %.3760, align 8
+  store double 0.000000e+00, ptr %.3763, align 8
+  %.3767 = call i32 @part_done.54(ptr nonnull %.3763, ptr nonnull %excinfo.28, double %.3761, ptr nonnull %.633)
+  %.3777 = load double, ptr %.3763, align 8
+  switch i32 %.3767, label %B4976.if [
+    i32 -2, label %B4976.endif
+    i32 0, label %B4976.endif
   ]
 
-B4360.if:
-  %.3384 = icmp sgt i32 %.3376, 0
-  %.3377 = load ptr, ptr %excinfo.25, align 8
-  %.3385 = select i1 %.3384, ptr %.3377, ptr undef
-  store ptr %.3385, ptr %excinfo, align 8
+B4976.if:
+  %.3775 = icmp sgt i32 %.3767, 0
+  %.3768 = load ptr, ptr %excinfo.28, align 8
+  %.3776 = select i1 %.3775, ptr %.3768, ptr undef
+  store ptr %.3776, ptr %excinfo, align 8
   br label %common.ret
 
-B4360.endif:
-  %.3326 = add nuw nsw i64 %.3257.01167, 1
-  %exitcond1426.not = icmp eq i64 %.126, %.3326
-  br i1 %exitcond1426.not, label %B4546, label %B4358.if
-
-B4546.if:
-  %.3431 = icmp sgt i32 %.3423, 0
-  %.3424 = load ptr, ptr %excinfo.26, align 8
-  %.3432 = select i1 %.3431, ptr %.3424, ptr undef
-  store ptr %.3432, ptr %excinfo, align 8
-  br label %common.ret
-
-B4546.endif:
-  %exitcond1427.not = icmp eq i64 %.1732, 8
-  br i1 %exitcond1427.not, label %B4648, label %B2614.if
-
-B4770.if:
-  %.3551 = icmp sgt i32 %.3543, 0
-  %.3544 = load ptr, ptr %excinfo.27, align 8
-  %.3552 = select i1 %.3551, ptr %.3544, ptr undef
-  store ptr %.3552, ptr %excinfo, align 8
-  br label %common.ret
-
-B4770.endif:
-  %.3603 = sub i64 %stop.3.2, %start.2.01191
-  %.36471184.not = icmp slt i64 %.3603, 1
-  br i1 %.36471184.not, label %B5662, label %B4922.if
-
-B4922.if:
-  %.3593.01186 = phi i64 [ %.3656, %B4920.loopexit ], [ %.3603, %B4770.endif ]
-  %.3590.01185 = phi i64 [ %.3660, %B4920.loopexit ], [ %start.2.01191, %B4770.endif ]
-  %.3656 = add nsw i64 %.3593.01186, -1
-  %.3660 = add i64 %.3590.01185, 1
-  %.3691 = getelementptr double, ptr %arg.edges, i64 %.3590.01185
-  %.3692 = load double, ptr %.3691, align 8
-  store double 0.000000e+00, ptr %.3694, align 8
-  %.3698 = call i32 @part_done.53(ptr nonnull %.3694, ptr nonnull %excinfo.28, double %.3692, ptr nonnull %.631)
-  %.3708 = load double, ptr %.3694, align 8
-  switch i32 %.3698, label %B4924.if [
-    i32 -2, label %B4924.endif
-    i32 0, label %B4924.endif
+B4976.endif:
+  store ptr null, ptr %.3801, align 8
+  %.3805 = call i32 @dense_rate.51(ptr nonnull %.3801, ptr nonnull %excinfo.29, i64 %.112, ptr %arg.method, double %.3777, ptr %.644, ptr %.3794, ptr %arg.work, ptr %.152)
+  switch i32 %.3805, label %B4976.endif.if [
+    i32 -2, label %B4976.endif.endif
+    i32 0, label %B4976.endif.endif
   ]
 
-B4924.if:
-  %.3706 = icmp sgt i32 %.3698, 0
-  %.3699 = load ptr, ptr %excinfo.28, align 8
-  %.3707 = select i1 %.3706, ptr %.3699, ptr undef
-  store ptr %.3707, ptr %excinfo, align 8
+B4976.endif.if:
+  %.3813 = icmp sgt i32 %.3805, 0
+  %.3806 = load ptr, ptr %excinfo.29, align 8
+  %.3814 = select i1 %.3813, ptr %.3806, ptr undef
+  store ptr %.3814, ptr %excinfo, align 8
   br label %common.ret
 
-B4924.endif:
-  store ptr null, ptr %.3732, align 8
-  %.3736 = call i32 @dense_rate.50(ptr nonnull %.3732, ptr nonnull %excinfo.29, i64 %.109, ptr %arg.method, double %.3708, ptr %.642, ptr %.3725, ptr %arg.work, ptr %.149)
-  switch i32 %.3736, label %B4924.endif.if [
-    i32 -2, label %B4924.endif.endif
-    i32 0, label %B4924.endif.endif
+B4976.endif.endif:
+  br i1 %.39061160, label %B5154.if.lr.ph, label %B5258.if.preheader
+
+B5154.if.lr.ph:
+  %.3946 = fsub contract double 1.000000e+00, %.3777
+  br label %B5154.if
+
+B5154.if:
+  %.3850.01161 = phi i64 [ 0, %B5154.if.lr.ph ], [ %.3919, %B5154.if ]
+  %.3919 = add nuw nsw i64 %.3850.01161, 1
+  %.3948 = getelementptr double, ptr %arg.y_dot, i64 %.3850.01161
+  %.3949 = load double, ptr %.3948, align 8
+  %.3950 = fmul contract double %.3946, %.3949
+  %.3952 = getelementptr double, ptr %.277, i64 %.3850.01161
+  %.3953 = load double, ptr %.3952, align 8
+  %.3955 = fmul contract double %.3777, %.3953
+  %.3956 = fadd contract double %.3950, %.3955
+  %.3958 = getelementptr double, ptr %.287, i64 %.3850.01161
+  store double %.3956, ptr %.3958, align 8
+  %exitcond1404.not = icmp eq i64 %.3919, %storemerge908
+  br i1 %exitcond1404.not, label %B5258.if.preheader, label %B5154.if
+
+B5258.if.preheader:
+  br label %B5258.if
+
+B5258.if:
+  %.3988.01163 = phi i64 [ %.4057, %B5260.endif.endif ], [ 0, %B5258.if.preheader ]
+  %.4057 = add nuw nsw i64 %.3988.01163, 1
+  store double 0.000000e+00, ptr %.4085, align 8
+  %.4089 = call i32 @dense_weight.55(ptr nonnull %.4085, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3988.01163, double %.3777)
+  switch i32 %.4089, label %B5260.if [
+    i32 -2, label %B5260.endif
+    i32 0, label %B5260.endif
   ]
 
-B4924.endif.if:
-  %.3744 = icmp sgt i32 %.3736, 0
-  %.3737 = load ptr, ptr %excinfo.29, align 8
-  %.3745 = select i1 %.3744, ptr %.3737, ptr undef
-  store ptr %.3745, ptr %excinfo, align 8
+B5260.if:
+  %.4097 = icmp sgt i32 %.4089, 0
+  %.4090 = load ptr, ptr %excinfo.30, align 8
+  %.4098 = select i1 %.4097, ptr %.4090, ptr undef
+  store ptr %.4098, ptr %excinfo, align 8
   br label %common.ret
 
-B4924.endif.endif:
-  br i1 %.38371171, label %B5102.if.lr.ph, label %B5206.if.preheader
-
-B5102.if.lr.ph:
-  %.3877 = fsub contract double 1.000000e+00, %.3708
-  br label %B5102.if
-
-B5102.if:
-  %.3781.01172 = phi i64 [ 0, %B5102.if.lr.ph ], [ %.3850, %B5102.if ]
-  %.3850 = add nuw nsw i64 %.3781.01172, 1
-  %.3879 = getelementptr double, ptr %arg.y_dot, i64 %.3781.01172
-  %.3880 = load double, ptr %.3879, align 8
-  %.3881 = fmul contract double %.3877, %.3880
-  %.3883 = getelementptr double, ptr %.274, i64 %.3781.01172
-  %.3884 = load double, ptr %.3883, align 8
-  %.3886 = fmul contract double %.3708, %.3884
-  %.3887 = fadd contract double %.3881, %.3886
-  %.3889 = getelementptr double, ptr %.284, i64 %.3781.01172
-  store double %.3887, ptr %.3889, align 8
-  %exitcond1429.not = icmp eq i64 %.3850, %storemerge906
-  br i1 %exitcond1429.not, label %B5206.if.preheader, label %B5102.if
-
-B5206.if.preheader:
-  br label %B5206.if
-
-B5206.if:
-  %.3919.01174 = phi i64 [ %.3988, %B5208.endif.endif ], [ 0, %B5206.if.preheader ]
-  %.3988 = add nuw nsw i64 %.3919.01174, 1
-  store double 0.000000e+00, ptr %.4016, align 8
-  %.4020 = call i32 @dense_weight.54(ptr nonnull %.4016, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3919.01174, double %.3708)
-  switch i32 %.4020, label %B5208.if [
-    i32 -2, label %B5208.endif
-    i32 0, label %B5208.endif
+B5260.endif:
+  %.4099 = load double, ptr %.4085, align 8
+  %.4116.idx = mul i64 %.4113, %.3988.01163
+  %.4116 = getelementptr i8, ptr %.272, i64 %.4116.idx
+  store ptr null, ptr %.4118, align 8
+  %.4122 = call i32 @add_scaled.29(ptr nonnull %.4118, ptr nonnull %excinfo.31, i64 %.142, double %.4099, ptr %.4116, ptr %.287)
+  switch i32 %.4122, label %B5260.endif.if [
+    i32 -2, label %B5260.endif.endif
+    i32 0, label %B5260.endif.endif
   ]
 
-B5208.if:
-  %.4028 = icmp sgt i32 %.4020, 0
-  %.4021 = load ptr, ptr %excinfo.30, align 8
-  %.4029 = select i1 %.4028, ptr %.4021, ptr undef
-  store ptr %.4029, ptr %excinfo, align 8
+B5260.endif.if:
+  %.4130 = icmp sgt i32 %.4122, 0
+  %.4123 = load ptr, ptr %excinfo.31, align 8
+  %.4131 = select i1 %.4130, ptr %.4123, ptr undef
+  store ptr %.4131, ptr %excinfo, align 8
   br label %common.ret
 
-B5208.endif:
-  %.4030 = load double, ptr %.4016, align 8
-  %.4047.idx = mul i64 %.4044, %.3919.01174
-  %.4047 = getelementptr i8, ptr %.269, i64 %.4047.idx
-  store ptr null, ptr %.4049, align 8
-  %.4053 = call i32 @add_scaled.29(ptr nonnull %.4049, ptr nonnull %excinfo.31, i64 %.139, double %.4030, ptr %.4047, ptr %.284)
-  switch i32 %.4053, label %B5208.endif.if [
-    i32 -2, label %B5208.endif.endif
-    i32 0, label %B5208.endif.endif
+B5260.endif.endif:
+  %exitcond1405.not = icmp eq i64 %.4057, 8
+  br i1 %exitcond1405.not, label %B5430.preheader, label %B5258.if
+
+B5430.if:
+  %.4171.01171 = phi i64 [ %.4240, %B5430.loopexit ], [ 0, %B5430.preheader ]
+  %.4240 = add nuw nsw i64 %.4171.01171, 1
+  %.4271.idx = shl i64 %.4171.01171, 4
+  %.4271 = getelementptr i8, ptr %arg.ends_dot, i64 %.4271.idx
+  store double 0.000000e+00, ptr %.4274, align 8
+  %.4278 = call i32 @begin_rate.62(ptr nonnull %.4274, ptr nonnull %excinfo.32, i64 %.578.sroa.0.01183, ptr %.4271)
+  %.4288 = load double, ptr %.4274, align 8
+  switch i32 %.4278, label %B5432.if [
+    i32 -2, label %B5432.endif
+    i32 0, label %B5432.endif
   ]
 
-B5208.endif.if:
-  %.4061 = icmp sgt i32 %.4053, 0
-  %.4054 = load ptr, ptr %excinfo.31, align 8
-  %.4062 = select i1 %.4061, ptr %.4054, ptr undef
-  store ptr %.4062, ptr %excinfo, align 8
+B5432.if:
+  %.4286 = icmp sgt i32 %.4278, 0
+  %.4279 = load ptr, ptr %excinfo.32, align 8
+  %.4287 = select i1 %.4286, ptr %.4279, ptr undef
+  store ptr %.4287, ptr %excinfo, align 8
   br label %common.ret
 
-B5208.endif.endif:
-  %exitcond1430.not = icmp eq i64 %.3988, 8
-  br i1 %exitcond1430.not, label %B5378.preheader, label %B5206.if
-
-B5378.if:
-  %.4102.01182 = phi i64 [ %.4171, %B5378.loopexit ], [ 0, %B5378.preheader ]
-  %.4171 = add nuw nsw i64 %.4102.01182, 1
-  %.4202.idx = shl i64 %.4102.01182, 4
-  %.4202 = getelementptr i8, ptr %arg.ends_dot, i64 %.4202.idx
-  store double 0.000000e+00, ptr %.4205, align 8
-  %.4209 = call i32 @begin_rate.60(ptr nonnull %.4205, ptr nonnull %excinfo.32, i64 %.575.sroa.0.01194, ptr %.4202)
-  %.4219 = load double, ptr %.4205, align 8
-  switch i32 %.4209, label %B5380.if [
-    i32 -2, label %B5380.endif
-    i32 0, label %B5380.endif
+B5432.endif:
+  store double 0.000000e+00, ptr %.4301, align 8
+  %.4305 = call i32 @size_rate.68(ptr nonnull %.4301, ptr nonnull %excinfo.33, i64 %.578.sroa.0.01183, i64 %arg.step_count, ptr %.4271)
+  switch i32 %.4305, label %B5432.endif.if [
+    i32 -2, label %B5432.endif.endif
+    i32 0, label %B5432.endif.endif
   ]
 
-B5380.if:
-  %.4217 = icmp sgt i32 %.4209, 0
-  %.4210 = load ptr, ptr %excinfo.32, align 8
-  %.4218 = select i1 %.4217, ptr %.4210, ptr undef
-  store ptr %.4218, ptr %excinfo, align 8
+B5432.endif.if:
+  %.4313 = icmp sgt i32 %.4305, 0
+  %.4306 = load ptr, ptr %excinfo.33, align 8
+  %.4314 = select i1 %.4313, ptr %.4306, ptr undef
+  store ptr %.4314, ptr %excinfo, align 8
   br label %common.ret
 
-B5380.endif:
-  store double 0.000000e+00, ptr %.4232, align 8
-  %.4236 = call i32 @size_rate.66(ptr nonnull %.4232, ptr nonnull %excinfo.33, i64 %.575.sroa.0.01194, i64 %arg.step_count, ptr %.4202)
-  switch i32 %.4236, label %B5380.endif.if [
-    i32 -2, label %B5380.endif.endif
-    i32 0, label %B5380.endif.endif
-  ]
+B5432.endif.endif:
+  %.4315 = load double, ptr %.4301, align 8
+  %.4326 = fmul contract double %.3777, %.4315
+  %.4327 = fadd contract double %.4288, %.4326
+  %.4328 = fneg contract double %.4327
+  %.4333 = fdiv contract double %.4328, %.642
+  %.4339 = mul nsw i64 %.4171.01171, %arg.edge_count
+  %.4341 = add nsw i64 %.4339, %.3659.01174
+  %.4343 = mul nsw i64 %.4341, %.112
+  %.4345 = getelementptr double, ptr %arg.outputs, i64 %.4343
+  %invariant.gep1165 = getelementptr double, ptr %.287, i64 %.4171.01171
+  br i1 %.44291167.not, label %B5430.loopexit, label %B5634.if
 
-B5380.endif.if:
-  %.4244 = icmp sgt i32 %.4236, 0
-  %.4237 = load ptr, ptr %excinfo.33, align 8
-  %.4245 = select i1 %.4244, ptr %.4237, ptr undef
-  store ptr %.4245, ptr %excinfo, align 8
+B5634.if:
+  %.4373.01168 = phi i64 [ %.4442, %B5634.if ], [ 0, %B5432.endif.endif ]
+  %.4442 = add nuw nsw i64 %.4373.01168, 1
+  %.idx914 = shl i64 %.4373.01168, 6
+  %gep1166 = getelementptr i8, ptr %invariant.gep1165, i64 %.idx914
+  %.4472 = load double, ptr %gep1166, align 8
+  %.4474 = getelementptr double, ptr %.152, i64 %.4373.01168
+  %.4475 = load double, ptr %.4474, align 8
+  %.4477 = fmul contract double %.4333, %.4475
+  %.4478 = fadd contract double %.4472, %.4477
+  %.4480 = getelementptr double, ptr %.4345, i64 %.4373.01168
+  store double %.4478, ptr %.4480, align 8
+  %exitcond1406.not = icmp eq i64 %.112, %.4442
+  br i1 %exitcond1406.not, label %B5430.loopexit, label %B5634.if
+
+B5714.if:
+  %.4532 = icmp sgt i32 %.4524, 0
+  %.4525 = load ptr, ptr %excinfo.34, align 8
+  %.4533 = select i1 %.4532, ptr %.4525, ptr undef
+  store ptr %.4533, ptr %excinfo, align 8
   br label %common.ret
 
-B5380.endif.endif:
-  %.4246 = load double, ptr %.4232, align 8
-  %.4257 = fmul contract double %.3708, %.4246
-  %.4258 = fadd contract double %.4219, %.4257
-  %.4259 = fneg contract double %.4258
-  %.4264 = fdiv contract double %.4259, %.640
-  %.4270 = mul nsw i64 %.4102.01182, %arg.edge_count
-  %.4272 = add nsw i64 %.4270, %.3590.01185
-  %.4274 = mul nsw i64 %.4272, %.109
-  %.4276 = getelementptr double, ptr %arg.outputs, i64 %.4274
-  %invariant.gep1176 = getelementptr double, ptr %.284, i64 %.4102.01182
-  br i1 %.43601178.not, label %B5378.loopexit, label %B5582.if
-
-B5582.if:
-  %.4304.01179 = phi i64 [ %.4373, %B5582.if ], [ 0, %B5380.endif.endif ]
-  %.4373 = add nuw nsw i64 %.4304.01179, 1
-  %.idx912 = shl i64 %.4304.01179, 6
-  %gep1177 = getelementptr i8, ptr %invariant.gep1176, i64 %.idx912
-  %.4403 = load double, ptr %gep1177, align 8
-  %.4405 = getelementptr double, ptr %.149, i64 %.4304.01179
-  %.4406 = load double, ptr %.4405, align 8
-  %.4408 = fmul contract double %.4264, %.4406
-  %.4409 = fadd contract double %.4403, %.4408
-  %.4411 = getelementptr double, ptr %.4276, i64 %.4304.01179
-  store double %.4409, ptr %.4411, align 8
-  %exitcond1431.not = icmp eq i64 %.109, %.4373
-  br i1 %exitcond1431.not, label %B5378.loopexit, label %B5582.if
-
-B5662.if:
-  %.4463 = icmp sgt i32 %.4455, 0
-  %.4456 = load ptr, ptr %excinfo.34, align 8
-  %.4464 = select i1 %.4463, ptr %.4456, ptr undef
-  store ptr %.4464, ptr %excinfo, align 8
-  br label %common.ret
-
-B5662.endif:
-  %.585 = icmp sgt i64 %.531.11193, 0
-  %.598 = zext i1 %.585 to i64
-  %.528.1 = add i64 %.528.11192, %.598
-  %.594 = sext i1 %.585 to i64
-  %.531.1 = add nsw i64 %.531.11193, %.594
-  %.575.sroa.0.0 = select i1 %.585, i64 %.528.11192, i64 0
-  br i1 %.585, label %B1408, label %B5720
+B5714.endif:
+  %.588 = icmp sgt i64 %.534.11182, 0
+  %.601 = zext i1 %.588 to i64
+  %.531.1 = add i64 %.531.11181, %.601
+  %.597 = sext i1 %.588 to i64
+  %.534.1 = add nsw i64 %.534.11182, %.597
+  %.578.sroa.0.0 = select i1 %.588, i64 %.531.11181, i64 0
+  br i1 %.588, label %B1408, label %B5772
 }
 
-define internal i32 @moving_groups.59(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
+define internal i32 @moving_groups.61(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
 entry:
   %.11 = getelementptr i8, ptr %arg.layout, i64 32
   %.12 = load i64, ptr %.11, align 8
@@ -8928,7 +9076,7 @@ B60.if:
   br i1 %.146.not, label %B188, label %B150
 }
 
-define internal i32 @begin_rate.60(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
+define internal i32 @begin_rate.62(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
 entry:
   %.8 = icmp eq i64 %arg.step, 0
   br i1 %.8, label %B16, label %B34
@@ -8943,7 +9091,7 @@ B34:
   ret i32 0
 }
 
-define internal i32 @size_rate.66(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
+define internal i32 @size_rate.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
 entry:
   %.31 = alloca double, align 8
   store double 0.000000e+00, ptr %.31, align 8
@@ -8961,7 +9109,7 @@ B22:
 B40:
   %"$phi40.0.2.0" = phi double [ %.17, %B22 ], [ 0.000000e+00, %entry ]
   store double 0.000000e+00, ptr %.31, align 8
-  %.35 = call i32 @begin_rate.60(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
+  %.35 = call i32 @begin_rate.62(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
   switch i32 %.35, label %B40.if [
     i32 -2, label %B40.endif
     i32 0, label %B40.endif
@@ -8985,7 +9133,7 @@ B40.endif:
   br label %common.ret
 }
 
-define internal i32 @multiply_sides.61(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
+define internal i32 @multiply_sides.63(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
 entry:
   %.11082.not = icmp slt i64 %arg.count, 1
   br i1 %.11082.not, label %B314, label %B34.if
@@ -9040,7 +9188,7 @@ B198.if:
   br i1 %exitcond.not, label %B34.loopexit, label %B198.if
 }
 
-define internal i32 @add_scaled.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
+define internal i32 @add_scaled.70(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
 entry:
   br label %B34.if
 
@@ -9062,7 +9210,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @mark_moving.62(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
+define internal i32 @mark_moving.64(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
 entry:
   %.17 = getelementptr i8, ptr %arg.layout, i64 32
   %.18 = load i64, ptr %.17, align 8
@@ -9142,7 +9290,7 @@ B364.if:
   br i1 %.439, label %B398, label %B408
 }
 
-define internal i32 @push_drive.63(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_drive.65(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.319 = alloca ptr, align 8
   store ptr null, ptr %.319, align 8
@@ -9212,7 +9360,7 @@ B248.if:
   %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
   %.282 = add nuw nsw i64 %.213.0124, 1
   store ptr null, ptr %.319, align 8
-  %.323 = call i32 @push.69(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.323 = call i32 @push.71(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.323, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -9246,7 +9394,7 @@ B406.if:
   br i1 %.485, label %B456, label %B490
 }
 
-define internal i32 @push_jacobian.64(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_jacobian.66(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.350 = alloca ptr, align 8
   store ptr null, ptr %.350, align 8
@@ -9340,7 +9488,7 @@ B566.if:
   %.405.0127 = phi i64 [ %.474, %B568.endif.endif ], [ 0, %B508 ]
   %.474 = add nuw nsw i64 %.405.0127, 1
   store ptr null, ptr %.510, align 8
-  %.514 = call i32 @push.69(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.514 = call i32 @push.71(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.514, label %B568.if [
     i32 -2, label %B568.endif
     i32 0, label %B568.endif
@@ -9375,7 +9523,7 @@ B568.endif.endif:
   br i1 %exitcond.not, label %B699, label %B566.if
 }
 
-define internal i32 @add_masses.65(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+define internal i32 @add_masses.67(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
 entry:
   %.9874.not = icmp slt i64 %arg.n, 1
   br i1 %.9874.not, label %B202, label %B34.if
@@ -9412,7 +9560,7 @@ B100.if:
   br i1 %exitcond.not, label %B34.loopexit, label %B100.if
 }
 
-define internal i32 @push_numbers.67(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_numbers.69(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.596 = alloca ptr, align 8
   store ptr null, ptr %.596, align 8
@@ -9625,7 +9773,7 @@ B1262.if:
   br i1 %.1051, label %B1312, label %B1384
 }
 
-define internal i32 @push.69(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push.71(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.69 = alloca ptr, align 8
   store ptr null, ptr %.69, align 8
@@ -9717,12 +9865,12 @@ B396.if.lr.ph:
 define i64 @run_tape(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @run_tape.70(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
+  %1 = call i32 @run_tape.72(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @run_tape.70(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
+define internal i32 @run_tape.72(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
   %.166 = alloca i64, align 8
   store i64 0, ptr %.166, align 8
@@ -9915,7 +10063,7 @@ B52:
   %.61.1405 = phi i64 [ 32, %B52.lr.ph ], [ %.61.1, %B48.loopexit ]
   %.163 = sub nsw i64 %arg.rows, %.110.sroa.0.0407
   store i64 0, ptr %.166, align 8
-  %.172 = call i32 @numba.71(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 32, i64 %.163)
+  %.172 = call i32 @numba.73(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 32, i64 %.163)
   %.182 = load i64, ptr %.166, align 8
   switch i32 %.172, label %B52.if [
     i32 -2, label %B52.endif
@@ -9927,7 +10075,7 @@ B310:
   %.370 = getelementptr double, ptr %arg.constants, i64 %.369
   %.371 = load double, ptr %.370, align 8
   store ptr null, ptr %.376, align 8
-  %.380 = call i32 @fill.72(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
+  %.380 = call i32 @fill.74(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
   switch i32 %.380, label %B310.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -9943,7 +10091,7 @@ B380:
   %1 = getelementptr double, ptr %arg.given, i64 %.418
   %.428 = getelementptr double, ptr %1, i64 %.425
   store ptr null, ptr %.438, align 8
-  %.442 = call i32 @pick.73(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
+  %.442 = call i32 @pick.75(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
   switch i32 %.442, label %B380.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10008,7 +10156,7 @@ B612:
   %2 = getelementptr double, ptr %arg.found, i64 %.505
   %.517 = getelementptr double, ptr %2, i64 %.514
   store ptr null, ptr %.520, align 8
-  %.524 = call i32 @put.74(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
+  %.524 = call i32 @put.76(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
   switch i32 %.524, label %B612.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10016,7 +10164,7 @@ B612:
 
 B750:
   store ptr null, ptr %.563, align 8
-  %.567 = call i32 @each_same.75(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
+  %.567 = call i32 @each_same.77(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.567, label %B750.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10024,7 +10172,7 @@ B750:
 
 B810:
   store ptr null, ptr %.605, align 8
-  %.609 = call i32 @each_add.76(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.609 = call i32 @each_add.78(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.609, label %B810.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10032,7 +10180,7 @@ B810:
 
 B872:
   store ptr null, ptr %.649, align 8
-  %.653 = call i32 @each_sub.77(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.653 = call i32 @each_sub.79(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.653, label %B872.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10040,7 +10188,7 @@ B872:
 
 B934:
   store ptr null, ptr %.693, align 8
-  %.697 = call i32 @each_mul.78(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.697 = call i32 @each_mul.80(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.697, label %B934.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10048,7 +10196,7 @@ B934:
 
 B996:
   store ptr null, ptr %.737, align 8
-  %.741 = call i32 @each_div.79(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.741 = call i32 @each_div.81(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.741, label %B996.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10056,7 +10204,7 @@ B996:
 
 B1058:
   store ptr null, ptr %.782, align 8
-  %.786 = call i32 @each_neg.80(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
+  %.786 = call i32 @each_neg.82(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.786, label %B1058.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10064,7 +10212,7 @@ B1058:
 
 B1118:
   store ptr null, ptr %.826, align 8
-  %.830 = call i32 @each_mul.78(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  %.830 = call i32 @each_mul.80(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
   switch i32 %.830, label %B1118.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10072,7 +10220,7 @@ B1118:
 
 B1180:
   store ptr null, ptr %.870, align 8
-  %.874 = call i32 @each_add.76(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  %.874 = call i32 @each_add.78(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
   switch i32 %.874, label %B1180.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10080,7 +10228,7 @@ B1180:
 
 B1242:
   store ptr null, ptr %.913, align 8
-  %.917 = call i32 @each_inv.81(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
+  %.917 = call i32 @each_inv.83(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.917, label %B1242.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10088,7 +10236,7 @@ B1242:
 
 B1302:
   store ptr null, ptr %.956, align 8
-  %.960 = call i32 @each_sqrt.82(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
+  %.960 = call i32 @each_sqrt.84(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.960, label %B1302.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10096,7 +10244,7 @@ B1302:
 
 B1362:
   store ptr null, ptr %.999, align 8
-  %.1003 = call i32 @each_fabs.83(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
+  %.1003 = call i32 @each_fabs.85(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1003, label %B1362.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10104,7 +10252,7 @@ B1362:
 
 B1422:
   store ptr null, ptr %.1042, align 8
-  %.1046 = call i32 @each_exp.84(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
+  %.1046 = call i32 @each_exp.86(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1046, label %B1422.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10112,7 +10260,7 @@ B1422:
 
 B1482:
   store ptr null, ptr %.1085, align 8
-  %.1089 = call i32 @each_log.85(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
+  %.1089 = call i32 @each_log.87(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1089, label %B1482.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10120,7 +10268,7 @@ B1482:
 
 B1542:
   store ptr null, ptr %.1127, align 8
-  %.1131 = call i32 @each_pow.86(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1131 = call i32 @each_pow.88(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1131, label %B1542.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10128,7 +10276,7 @@ B1542:
 
 B1604:
   store ptr null, ptr %.1172, align 8
-  %.1176 = call i32 @each_sin.87(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
+  %.1176 = call i32 @each_sin.89(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1176, label %B1604.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10136,7 +10284,7 @@ B1604:
 
 B1664:
   store ptr null, ptr %.1215, align 8
-  %.1219 = call i32 @each_cos.88(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
+  %.1219 = call i32 @each_cos.90(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1219, label %B1664.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10144,7 +10292,7 @@ B1664:
 
 B1724:
   store ptr null, ptr %.1258, align 8
-  %.1262 = call i32 @each_tan.89(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
+  %.1262 = call i32 @each_tan.91(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1262, label %B1724.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10152,7 +10300,7 @@ B1724:
 
 B1784:
   store ptr null, ptr %.1301, align 8
-  %.1305 = call i32 @each_asin.90(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
+  %.1305 = call i32 @each_asin.92(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1305, label %B1784.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10160,7 +10308,7 @@ B1784:
 
 B1844:
   store ptr null, ptr %.1344, align 8
-  %.1348 = call i32 @each_acos.91(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
+  %.1348 = call i32 @each_acos.93(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1348, label %B1844.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10168,7 +10316,7 @@ B1844:
 
 B1904:
   store ptr null, ptr %.1387, align 8
-  %.1391 = call i32 @each_atan.92(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
+  %.1391 = call i32 @each_atan.94(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1391, label %B1904.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10176,7 +10324,7 @@ B1904:
 
 B1964:
   store ptr null, ptr %.1429, align 8
-  %.1433 = call i32 @each_atan_of_two.93(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1433 = call i32 @each_atan_of_two.95(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1433, label %B1964.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10184,7 +10332,7 @@ B1964:
 
 B2026:
   store ptr null, ptr %.1474, align 8
-  %.1478 = call i32 @each_sinh.94(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
+  %.1478 = call i32 @each_sinh.96(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1478, label %B2026.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10192,7 +10340,7 @@ B2026:
 
 B2086:
   store ptr null, ptr %.1517, align 8
-  %.1521 = call i32 @each_cosh.95(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
+  %.1521 = call i32 @each_cosh.97(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1521, label %B2086.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10200,7 +10348,7 @@ B2086:
 
 B2146:
   store ptr null, ptr %.1560, align 8
-  %.1564 = call i32 @each_tanh.96(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
+  %.1564 = call i32 @each_tanh.98(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1564, label %B2146.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10208,7 +10356,7 @@ B2146:
 
 B2206:
   store ptr null, ptr %.1602, align 8
-  %.1606 = call i32 @each_less.97(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1606 = call i32 @each_less.99(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1606, label %B2206.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10216,7 +10364,7 @@ B2206:
 
 B2268:
   store ptr null, ptr %.1646, align 8
-  %.1650 = call i32 @each_less_or_equal.98(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1650 = call i32 @each_less_or_equal.100(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1650, label %B2268.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10224,7 +10372,7 @@ B2268:
 
 B2330:
   store ptr null, ptr %.1690, align 8
-  %.1694 = call i32 @each_equal.99(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1694 = call i32 @each_equal.101(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1694, label %B2330.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10232,7 +10380,7 @@ B2330:
 
 B2392:
   store ptr null, ptr %.1734, align 8
-  %.1738 = call i32 @each_unequal.100(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1738 = call i32 @each_unequal.102(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1738, label %B2392.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10240,7 +10388,7 @@ B2392:
 
 B2454:
   store ptr null, ptr %.1779, align 8
-  %.1783 = call i32 @each_not.101(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
+  %.1783 = call i32 @each_not.103(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1783, label %B2454.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10248,7 +10396,7 @@ B2454:
 
 B2514:
   store ptr null, ptr %.1821, align 8
-  %.1825 = call i32 @each_and.102(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1825 = call i32 @each_and.104(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1825, label %B2514.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10256,7 +10404,7 @@ B2514:
 
 B2576:
   store ptr null, ptr %.1865, align 8
-  %.1869 = call i32 @each_or.103(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1869 = call i32 @each_or.105(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1869, label %B2576.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10264,7 +10412,7 @@ B2576:
 
 B2638:
   store ptr null, ptr %.1909, align 8
-  %.1913 = call i32 @each_where.104(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1913 = call i32 @each_where.106(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1913, label %B2638.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10272,7 +10420,7 @@ B2638:
 
 B2700:
   store ptr null, ptr %.1953, align 8
-  %.1957 = call i32 @each_smaller.105(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1957 = call i32 @each_smaller.107(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1957, label %B2700.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10280,7 +10428,7 @@ B2700:
 
 B2762:
   store ptr null, ptr %.1997, align 8
-  %.2001 = call i32 @each_larger.106(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.2001 = call i32 @each_larger.108(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.2001, label %B2762.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10288,7 +10436,7 @@ B2762:
 
 B2824:
   store ptr null, ptr %.2042, align 8
-  %.2046 = call i32 @each_sign.107(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
+  %.2046 = call i32 @each_sign.109(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2046, label %B2824.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10296,7 +10444,7 @@ B2824:
 
 B2884:
   store ptr null, ptr %.2083, align 8
-  %.2087 = call i32 @each_log_of_more.108(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
+  %.2087 = call i32 @each_log_of_more.110(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2087, label %B2884.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10304,7 +10452,7 @@ B2884:
 
 B2944:
   store ptr null, ptr %.2124, align 8
-  %.2128 = call i32 @each_exp_less_one.109(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
+  %.2128 = call i32 @each_exp_less_one.111(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2128, label %B2944.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10635,14 +10783,14 @@ B2944.if:
   br label %common.ret
 }
 
-define internal i32 @numba.71(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
+define internal i32 @numba.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
 entry:
   %.11 = call i64 @llvm.smin.i64(i64 %arg.x.1, i64 %arg.x.0)
   store i64 %.11, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @fill.72(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
+define internal i32 @fill.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B50, label %B34.if
@@ -10660,7 +10808,7 @@ B34.if:
   br i1 %exitcond.not, label %B50, label %B34.if
 }
 
-define internal i32 @pick.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
+define internal i32 @pick.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
 entry:
   %.9535.not = icmp slt i64 %arg.n, 1
   br i1 %.9535.not, label %B68, label %B34.if
@@ -10681,7 +10829,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @put.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
+define internal i32 @put.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
 entry:
   %.9535.not = icmp slt i64 %arg.n, 1
   br i1 %.9535.not, label %B68, label %B34.if
@@ -10702,7 +10850,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @each_same.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_same.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B62, label %B34.if.preheader
@@ -10717,7 +10865,7 @@ B62:
   ret i32 0
 }
 
-define internal i32 @each_add.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_add.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10740,7 +10888,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_sub.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_sub.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10763,7 +10911,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_mul.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_mul.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10786,7 +10934,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_div.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_div.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10809,7 +10957,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_neg.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_neg.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B64, label %B34.if
@@ -10830,7 +10978,7 @@ B34.if:
   br i1 %exitcond.not, label %B64, label %B34.if
 }
 
-define internal i32 @each_inv.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_inv.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B68, label %B34.if
@@ -10851,7 +10999,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @each_sqrt.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sqrt.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10872,7 +11020,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_fabs.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_fabs.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10893,7 +11041,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_exp.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_exp.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10914,7 +11062,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_log.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_log.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10935,7 +11083,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_pow.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_pow.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B112, label %B34.if
@@ -10958,7 +11106,7 @@ B34.if:
   br i1 %exitcond.not, label %B112, label %B34.if
 }
 
-define internal i32 @each_sin.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sin.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -10979,7 +11127,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_cos.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_cos.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11000,7 +11148,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_tan.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_tan.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11021,7 +11169,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_asin.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_asin.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11042,7 +11190,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_acos.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_acos.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11063,7 +11211,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_atan.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_atan.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11084,7 +11232,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_atan_of_two.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_atan_of_two.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B112, label %B34.if
@@ -11107,7 +11255,7 @@ B34.if:
   br i1 %exitcond.not, label %B112, label %B34.if
 }
 
-define internal i32 @each_sinh.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sinh.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11128,7 +11276,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_cosh.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_cosh.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11149,7 +11297,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_tanh.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_tanh.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11170,7 +11318,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_less.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_less.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11194,7 +11342,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_less_or_equal.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_less_or_equal.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11218,7 +11366,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_equal.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_equal.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11242,7 +11390,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_unequal.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_unequal.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11266,7 +11414,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_not.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_not.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9237.not = icmp slt i64 %arg.n, 1
   br i1 %.9237.not, label %B78, label %B34.if
@@ -11288,7 +11436,7 @@ B34.if:
   br i1 %exitcond.not, label %B78, label %B34.if
 }
 
-define internal i32 @each_and.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_and.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B102, label %B34.if
@@ -11322,7 +11470,7 @@ B34.if:
   br i1 %.140, label %B62, label %B90
 }
 
-define internal i32 @each_or.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_or.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B102, label %B34.if
@@ -11356,7 +11504,7 @@ B34.if:
   br i1 %.140, label %B92, label %B62
 }
 
-define internal i32 @each_where.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_where.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11386,7 +11534,7 @@ B34.if:
   br i1 %.140, label %B62, label %B80
 }
 
-define internal i32 @each_smaller.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_smaller.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9542.not = icmp slt i64 %arg.n, 1
   br i1 %.9542.not, label %B150, label %B34.if
@@ -11412,7 +11560,7 @@ B34.if:
   br i1 %exitcond.not, label %B150, label %B34.if
 }
 
-define internal i32 @each_larger.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_larger.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9542.not = icmp slt i64 %arg.n, 1
   br i1 %.9542.not, label %B150, label %B34.if
@@ -11438,7 +11586,7 @@ B34.if:
   br i1 %exitcond.not, label %B150, label %B34.if
 }
 
-define internal i32 @each_sign.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sign.109(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9239.not = icmp slt i64 %arg.n, 1
   br i1 %.9239.not, label %B118, label %B34.if
@@ -11462,7 +11610,7 @@ B34.if:
   br i1 %exitcond.not, label %B118, label %B34.if
 }
 
-define internal i32 @each_log_of_more.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_log_of_more.110(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11483,7 +11631,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_exp_less_one.109(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_exp_less_one.111(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11537,11 +11685,11 @@ declare double @sqrt(double)
 define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow.110(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow.112(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow.110(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow.112(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
 entry:
   %.33 = mul nsw i64 %arg.channels, %arg.count
   %.119167.not = icmp slt i64 %.33, 1
@@ -11675,11 +11823,11 @@ B590.if:
 define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_turning.111(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow_turning.113(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow_turning.111(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow_turning.113(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
 entry:
   %.33 = mul nsw i64 %arg.channels, %arg.count
   %0 = call i64 @llvm.smax.i64(i64 %.33, i64 0)

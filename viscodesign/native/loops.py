@@ -63,7 +63,7 @@ _LU = ("places", "places", "places", "reals")
 _RECORDED = (
     *(*_KERNELS, "counts", "places", "places", "places", "reals", "places", "places"),
     *("count", *["places"] * 5, "count", *["places"] * 3),
-    *("reals", "reals", "reals", "count", "reals", "count", "reals"),
+    *("reals", "reals", "reals", "count", "count", "reals", "count", "reals"),
 )
 SIGNATURES: dict[str, tuple[str, ...]] = {
     "residual": (*_KERNELS, "places", "places", *["reals"] * 5),
@@ -80,7 +80,7 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
         *(*_KERNELS, "places", "places", "places", "reals", "places", "places"),
         *("count", *["places"] * 5),
         *("reals", "count", "reals", "reals", "reals", "reals", "count", "count"),
-        *("reals", "reals", "reals", "counts", "reals", "count", "reals", "reals"),
+        *("reals", "reals", "reals", "counts", "reals", "count", "count", "reals", "reals"),
     ),
     "sums_of_rows": (
         *(*_KERNELS, "places", "places", "places", "count", "count", "reals", "count"),

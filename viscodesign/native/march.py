@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native import rodas
 from viscodesign.native.loops import DTYPES
-from viscodesign.native.source.steps import RECORD_HEAD, RECORDED
+from viscodesign.native.source.steps import RECORD_HEAD, RECORDED, STAGES
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
 
@@ -84,16 +84,24 @@ class MarchState:
 
 @dataclass
 class StepRecord:
-    """Steps that were taken, one row each: begin, size and end [s], unknowns at the beginning."""
+    """Steps that were taken, one row each: begin, size and end [s], unknowns at the beginning.
+
+    For derivatives also the stages: they need not be solved for again.
+    """
 
     chunk: int = 256
     """Steps for which there is room in one call of a march."""
     chunks: list[np.ndarray] = field(default_factory=list)
+    has_stages: bool = False
 
     @property
     def rows(self) -> np.ndarray:
-        """All of them (steps, RECORD_HEAD + n)."""
+        """All of them (steps, RECORD_HEAD + n), or longer by STAGES n."""
         return np.concatenate(self.chunks)
+
+    def room(self, unknowns: int) -> np.ndarray:
+        """Room for the next ones."""
+        return np.empty((self.chunk, RECORD_HEAD + unknowns * (1 + STAGES * self.has_stages)))
 
 
 def march(
@@ -126,7 +134,7 @@ def march(
     y = np.array(state.y, dtype=float)
     outputs = np.empty((len(edges) - state.edge, n))
     layout = lu.layout_of(assembly.layout)
-    room = np.empty((0 if record is None else record.chunk, RECORD_HEAD + n))
+    room = np.empty((0, 0)) if record is None else record.room(n)
     status = assembly.loops(
         "march",
         *(layout, assembly.kernels, assembly.idx, assembly.rows, lu.entries_of(assembly.pos)),
@@ -134,7 +142,7 @@ def march(
         *(lu.blocks, lu.own, lu.slots, lu.lu_start, lu.lu_columns, lu.diagonal),
         *(mass, len(settings.powers), settings.powers, METHOD, settings.row, edges, len(edges)),
         *(max_steps, y, Y, clock, counts, outputs.reshape(-1)),
-        *(-1 if record is None else record.chunk, room.reshape(-1)),
+        *(-1 if record is None else record.chunk, room.shape[1], room.reshape(-1)),
         np.empty(work_size(assembly, lu)),
     )
     if record is not None:

@@ -27,7 +27,11 @@ CHANGE = 1e-4
 
 
 def recorded(
-    loops: Loops, change: np.ndarray | None = None, end: float = 0.0
+    loops: Loops,
+    change: np.ndarray | None = None,
+    end: float = 0.0,
+    *,
+    has_stages: bool = False,
 ) -> tuple[Network, Differentiable, Stretch, np.ndarray, np.ndarray]:
     """A march whose sizes of steps depend on times alone, its outputs and its end.
 
@@ -38,7 +42,8 @@ def recorded(
     change = np.zeros(n + own + len(net.assembly.all_numbers)) if change is None else change
     net.assembly.all_numbers += change[n + own :]
     lu = SparseLU(n, net.rows, net.columns, loops=loops)
-    state, edges, record = start(CELLS), EDGES + np.array([0.0, 0.0, end]), StepRecord(chunk=3)
+    state, edges = start(CELLS), EDGES + np.array([0.0, 0.0, end])
+    record = StepRecord(chunk=3, has_stages=has_stages)
     state.y = 0.1 * np.arange(n) + change[:n]
     rest, found = REST + change[n : n + own], []
     while True:
@@ -79,6 +84,17 @@ def test_rates_are_those_of_differences_with_the_same_steps() -> None:
         assert outputs[k] == pytest.approx(wanted, abs=1e-6 * np.max(np.abs(wanted)))
         wanted = (more[4] - less[4]) / (2 * CHANGE)
         assert ends[k] == pytest.approx(wanted, abs=1e-6 * np.max(np.abs(wanted)))
+
+
+def test_recorded_stages_are_those_that_are_solved_for_again() -> None:
+    for loops in both():
+        found = []
+        for has_stages in (False, True):
+            net, structure, stretch, outputs, end = recorded(loops, has_stages=has_stages)
+            rates, ends = push_forward(structure, net.assembly, stretch, directions(net))
+            bars = pull_back(structure, net.assembly, stretch, outputs, end)
+            found.append(np.concatenate([rates.ravel(), ends.ravel(), bars.begin, bars.numbers]))
+        assert found[1] == pytest.approx(found[0], rel=1e-12, abs=1e-12)
 
 
 def test_the_end_of_a_stretch_may_move() -> None:

@@ -52,7 +52,7 @@ def forward(
     layout, kernels, derived, idx, rows, pos, numbers, drive_rows, drive_columns,
     blocks, own, slots, lu_start, lu_columns, diagonal,
     entry_count, entry_rows, entry_columns, entry_places,
-    mass, method, record, step_count, edges, edge_count, directions,
+    mass, method, record, step_count, step_length, edges, edge_count, directions,
     Y, y_dot, Y_dot, Y_length, numbers_dot, numbers_length, ends_dot, outputs, work,
 ):  # fmt: skip
     """Go along the recorded steps of a stretch in up to SIDE directions at once.
@@ -88,11 +88,11 @@ def forward(
                     part(moving, d * moving_groups(layout)))  # fmt: skip
     start = 0
     for s in range(step_count):
-        step = part(record, s * (n + RECORD_HEAD))
+        step = part(record, s * step_length)
         time, h, y = step[0], step[1], part(step, RECORD_HEAD)
         replay(
             layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
-            blocks, own, slots, lu_start, lu_columns, diagonal, mass, method, step, Y,
+            blocks, own, slots, lu_start, lu_columns, diagonal, mass, method, step, step_length, Y,
             stages, places, J, rates, drift, lu, right, after, row, x, local, out,
         )  # fmt: skip
         scale = 1.0 / (h * method[GAMMA_AT])
@@ -123,7 +123,8 @@ def forward(
             copy(n, part(places, i * n), Y)
             Y[clock] = time + method[NODES_AT + i] * h
             drive(layout, kernels, idx, rows, numbers, Y, local, out)
-            jacobian(layout, kernels, idx, pos, numbers, Y, J, local, out)
+            if i > 0:  # the first one is that of the step
+                jacobian(layout, kernels, idx, pos, numbers, Y, J, local, out)
             for k in range(n):
                 after[k] = 0.0
             for j in range(i):

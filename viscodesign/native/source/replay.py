@@ -17,6 +17,7 @@ from viscodesign.native.source.steps import (
     add_scaled,
     copy,
     linearise,
+    set_place,
     solve_stages,
 )
 from viscodesign.native.source.sums import (
@@ -26,10 +27,13 @@ from viscodesign.native.source.sums import (
 
 def replay(
     layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
-    blocks, own, slots, lu_start, lu_columns, diagonal, mass, method, step, Y,
+    blocks, own, slots, lu_start, lu_columns, diagonal, mass, method, step, step_length, Y,
     stages, places, J, rates, drift, lu, right, after, row, x, local, out,
 ):  # fmt: skip
-    """Stages (STAGES, n) of a recorded step, places (STAGES + 1, n) with its end, and factors."""
+    """Stages (STAGES, n) of a recorded step, places (STAGES + 1, n) with its end, and factors.
+
+    Stages are solved for again unless the ``step`` (step_length,) has them.
+    """
     n = layout[UNKNOWNS]
     time, h, y = step[0], step[1], part(step, RECORD_HEAD)
     linearise(
@@ -38,10 +42,15 @@ def replay(
     )  # fmt: skip
     lu_fill(n, lu_start[blocks], J, own, mass, 1.0 / (h * method[GAMMA_AT]), lu)
     lu_factor(blocks, lu_start, lu_columns, diagonal, lu, row)
-    solve_stages(
-        layout, kernels, idx, rows, numbers, blocks, slots, lu_start, lu_columns, diagonal,
-        mass, method, time, h, y, Y, drift, lu, stages, places, n, right, after, x, local, out,
-    )  # fmt: skip
+    if step_length > RECORD_HEAD + n:
+        copy(STAGES * n, part(step, RECORD_HEAD + n), stages)
+        for i in range(STAGES):
+            set_place(n, i, method, y, stages, places, n)
+    else:
+        solve_stages(
+            layout, kernels, idx, rows, numbers, blocks, slots, lu_start, lu_columns, diagonal,
+            mass, method, time, h, y, Y, drift, lu, stages, places, n, right, after, x, local, out,
+        )  # fmt: skip
     end = part(places, STAGES * n)
     copy(n, part(places, (STAGES - 1) * n), end)
     add_scaled(n, 1.0, part(stages, (STAGES - 1) * n), end)

@@ -50,7 +50,7 @@ def reverse(
     layout, kernels, derived, idx, rows, pos, numbers, drive_rows, drive_columns,
     blocks, own, slots, lu_start, lu_columns, diagonal,
     entry_count, entry_rows, entry_columns, entry_places,
-    mass, method, record, step_count, edges, edge_count, weights,
+    mass, method, record, step_count, step_length, edges, edge_count, weights,
     Y, y_bar, Y_bar, numbers_bar, ends_bar, work,
 ):  # fmt: skip
     """Go back over the recorded steps of a stretch.
@@ -78,11 +78,11 @@ def reverse(
     out = part(local, layout[WIDTH_OF_SLOPES])
     stop = edge_count
     for back in range(step_count):
-        step = part(record, (step_count - 1 - back) * (n + RECORD_HEAD))
+        step = part(record, (step_count - 1 - back) * step_length)
         time, h, y = step[0], step[1], part(step, RECORD_HEAD)
         replay(
             layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
-            blocks, own, slots, lu_start, lu_columns, diagonal, mass, method, step, Y,
+            blocks, own, slots, lu_start, lu_columns, diagonal, mass, method, step, step_length, Y,
             stages, places, J, rates, drift, lu, right, after, row, x, local, out,
         )  # fmt: skip
         end = part(places, STAGES * n)

@@ -52,5 +52,5 @@ def march_rows(
             blocks, slot, slots, lu_start, lu_columns, diagonal, mass, tested, powers, method,
             part(settings, k * SETTINGS), part(edges, first), first_edges[k + 1] - first,
             max_steps, part(y, k * n), part(Y, k * length), part(state, k * CLOCK),
-            part(counts, k * COUNTS), part(outputs, first * n), -1, part(work, 0), work,
+            part(counts, k * COUNTS), part(outputs, first * n), -1, 0, part(work, 0), work,
         )  # fmt: skip

@@ -37,15 +37,15 @@ def march(
     layout, kernels, idx, rows, pos, numbers, drive_rows, drive_columns,
     blocks, own, slots, lu_start, lu_columns, diagonal,
     mass, tested, powers, method, settings, edges, edge_count, max_steps,
-    y, Y, state, counts, outputs, most_recorded, record, work,
+    y, Y, state, counts, outputs, most_recorded, record_length, record, work,
 ):  # fmt: skip
     """Take steps from state[TIME] to the last edge; see `march.march`.
 
     ``pos`` and layout[ENTRIES] are those of the factors; ``tested``: unknowns in front of the
     integrals; ``outputs`` (edges from counts[EDGE] on, n); ``record`` (most_recorded,
-    RECORD_HEAD + n): begin, size, end and first unknowns of the steps taken, where
-    ``most_recorded`` is not negative; then no more are taken. ``work``: see `march.work_size`.
-    Returns how it ended.
+    record_length): begin, size, end and first unknowns of the steps taken, where
+    ``most_recorded`` is not negative; then no more are taken. Rows that are longer have the stages
+    as well. ``work``: see `march.work_size`. Returns how it ended.
     """
     n, entries = layout[UNKNOWNS], layout[ENTRIES]
     stages = part(work, 0)
@@ -117,9 +117,11 @@ def march(
             counts[EDGE] = stop
         factor = step_factor(error, state[BEFORE], method[ORDER_AT], settings)
         if most_recorded > 0:
-            entry = part(record, recorded * (n + RECORD_HEAD))
+            entry = part(record, recorded * record_length)
             entry[0], entry[1], entry[2] = time, h, until
             copy(n, y, part(entry, RECORD_HEAD))
+            if record_length > RECORD_HEAD + n:
+                copy(STAGES * n, stages, part(entry, RECORD_HEAD + n))
             recorded += 1
             counts[RECORDED] = recorded
         copy(n, after, y)
@@ -157,16 +159,8 @@ def solve_stages(
     """Stages (STAGES, n) of a step, and places at which they are taken, ``stride`` apart."""
     n = layout[UNKNOWNS]
     for i in range(STAGES):
-        here = part(place_, i * stride)
-        if i <= SHARED:
-            copy(n, y, here)
-            for j in range(i):
-                add_scaled(n, method[8 * i + j], part(stages, j * n), here)
-        else:
-            if stride != 0:
-                copy(n, part(place_, (i - 1) * stride), here)
-            add_scaled(n, 1.0, part(stages, (i - 1) * n), here)
-        copy(n, here, Y)
+        set_place(n, i, method, y, stages, place_, stride)
+        copy(n, part(place_, i * stride), Y)
         Y[n + layout[DRIVES]] = time + method[NODES_AT + i] * h
         drive(layout, kernels, idx, rows, numbers, Y, local, out)
         residual(layout, kernels, idx, rows, numbers, Y, right, local, out)
@@ -176,6 +170,19 @@ def solve_stages(
             add_scaled(n, slope, drift, right)
         stage = part(stages, i * n)
         lu_solve(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, stage, x)
+
+
+def set_place(n, i, method, y, stages, place_, stride):
+    """Where stage ``i`` is taken, by those before it; places are ``stride`` apart."""
+    here = part(place_, i * stride)
+    if i <= SHARED:
+        copy(n, y, here)
+        for j in range(i):
+            add_scaled(n, method[8 * i + j], part(stages, j * n), here)
+    else:
+        if stride != 0:
+            copy(n, part(place_, (i - 1) * stride), here)
+        add_scaled(n, 1.0, part(stages, (i - 1) * n), here)
 
 
 def combine(n, count, weights, h, mass, stages, right, pull):
