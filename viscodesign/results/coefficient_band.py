@@ -24,6 +24,10 @@ STILL_WORDS = "none: no stated number moves the tip"
 """What is said of such a band in place of its width."""
 LEAST_ASPECT = 1e-3
 """Width over length below which an ellipse is drawn as if it had that width."""
+NO_SHARED_BAND = (
+    "a band of the coefficients (`uncertainty`) is not supported of actuators that share fluid"
+)
+"""The note of a run that cannot have one."""
 BAND_COLUMNS = ("time_s", "tip_x_sd_m", "tip_z_sd_m", "tip_xz_covariance_m2")
 """Columns of `uncertainty.csv`."""
 
@@ -154,10 +158,12 @@ def swept_ellipses(
     return np.asarray(np.where((reach[0] >= reach[1])[..., None], corners[0], corners[1]))
 
 
-def why_no_band(warnings: Iterable[Notice], spec_text: str) -> str:
+def why_no_band(warnings: Iterable[Notice], notes: Iterable[str], spec_text: str) -> str:
     """What is said of the error by the coefficients where a run has no band."""
     if any(own.code == "no_band" for own in warnings):
         return "unknown (see the warnings)"
+    if NO_SHARED_BAND in notes:
+        return "unknown (see the note)"
     if any(line.startswith("uncertainty:") for line in spec_text.splitlines()):
         return "left out"
     return "unknown (`uncertainty: typical` gives a first band)"

@@ -202,7 +202,7 @@ class Trajectory(MotionArrays):
     failure_time_s: float | None = None
     """When what ended it happened [s], to all digits; None where that is no moment."""
     notes: tuple[str, ...] = ()
-    """What was read from files for its inputs, and what was taken out of them."""
+    """What was read from files for its inputs, what was taken out, and what it cannot have."""
     violations: tuple[Notice, ...] = ()
     """Those of the warnings that say where the run is outside of what its model describes."""
     provenance: Mapping[str, Any] = field(default_factory=dict)

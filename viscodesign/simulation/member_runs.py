@@ -15,6 +15,7 @@ from viscodesign.checks.motion_warnings import motion_notices
 from viscodesign.checks.scene_warnings import inlet_violations
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.graph import Graph
+from viscodesign.results.coefficient_band import NO_SHARED_BAND
 from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
@@ -174,6 +175,7 @@ def _member(run: Trajectory, alone: Scene, arrays: dict[str, np.ndarray]) -> Tra
         section_widths=alone.sections.heights,
         classification=found,
         spec_text=resolved_yaml(alone),
+        notes=(*run.notes, NO_SHARED_BAND),
         period=alone.period,
     )
     exceeded = tuple(motion_notices(quantities, active, motion_blocks(quantities, own)))

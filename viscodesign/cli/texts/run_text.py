@@ -125,7 +125,7 @@ def both_errors(trajectory: Trajectory) -> str:
     error, band = trajectory.accuracy.estimated_tip_error_m, trajectory.uncertainty
     numerical = "not estimated" if error is None else number(1e3 * error, "mm")
     if band is None:
-        known = why_no_band(trajectory.warnings, trajectory.spec_text)
+        known = why_no_band(trajectory.warnings, trajectory.notes, trajectory.spec_text)
     elif band.is_still:
         known = STILL_WORDS
     else:

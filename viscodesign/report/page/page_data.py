@@ -85,7 +85,7 @@ def _ground(run: Trajectory) -> dict[str, Any] | None:
 def _bandless(run: Trajectory) -> str:
     """What stands in place of the band's width, as the command line says it; empty with a band."""
     if run.uncertainty is None:
-        return why_no_band(run.warnings, run.spec_text)
+        return why_no_band(run.warnings, run.notes, run.spec_text)
     return STILL_WORDS if run.uncertainty.is_still else ""
 
 
