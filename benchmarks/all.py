@@ -20,6 +20,7 @@ HERE = Path(__file__).parent
 BENCHMARKS: dict[str, tuple[str, ...]] = {
     "leg_profile": ("leg_profile.py",),
     "derivatives": ("derivatives.py",),
+    "uncertainty_cost": ("uncertainty_cost.py",),
     "growth": ("growth.py", "--again"),
     "peers": (
         "peers/race.py",
