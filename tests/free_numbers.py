@@ -66,7 +66,7 @@ class Case:
         return self.quantities.scene
 
     def numbers(self, *free: str) -> SceneNumbers:
-        return SceneNumbers(self.quantities, self.selection, self.settings, free)
+        return SceneNumbers(self.quantities, self.selection.effects, self.settings, free)
 
     def effects(self, quantities: SceneQuantities) -> list[Effect]:
         return [type(effect).of(quantities) for effect in self.selection.effects]

@@ -18,8 +18,11 @@ def checked_several(scene: SeveralScene, lines: bool) -> SpecResult:
     """Every actuator's check; ``lines``: whether people read it."""
     from viscodesign.checks.check_several import check_several
     from viscodesign.cli.check import check_lines
+    from viscodesign.exploration.stated_uncertainty import stated_deviations
 
     found = check_several(scene)
+    for own in scene.scenes.values():
+        stated_deviations(own)
     document = {
         "name": scene.name,
         "actuators": {name: own.document() for name, own in found.items()},

@@ -22,7 +22,7 @@ class Endings:
 
     def __init__(self, problem: Problem, symbols: Symbols) -> None:
         named = symbols.outputs(problem)
-        looked_at = [*OF_BELLOWS] if _volumes_count(problem) else ["pressure"]
+        looked_at = [*OF_BELLOWS] if volumes_count(problem) else ["pressure"]
         looked_at += OF_ARCS if problem.equations.rod_form is RodForm.ARCS else OF_CHAIN
         order = problem.places.tolist()
         own = {n: named[n][order] if n in OF_BELLOWS else named[n] for n in looked_at}
@@ -44,6 +44,6 @@ class Endings:
         return first_termination(problem, times, named, stretch, None)[1]
 
 
-def _volumes_count(problem: Problem) -> bool:
+def volumes_count(problem: Problem) -> bool:
     """Whether a motion may end by the volumes of bellows."""
     return problem.floor_volume is not None or problem.drawing is not None

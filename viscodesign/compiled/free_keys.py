@@ -72,7 +72,9 @@ class FreeKeys:
         is_of_fluid = any(key.startswith("fluid.") for key in self.given)
         self.scene = with_fluid_numbers(scene) if is_of_fluid else scene
         """The scene, its fluid's numbers spelt out where one of them is free."""
-        self.numbers = [number for key in self.given for number in self._expanded(key)]
+        self.numbers_of = self._all_expanded()
+        """The numbers that each of the given keys stands for, in their order."""
+        self.numbers = [number for own in self.numbers_of for number in own]
         self._refuse_overlaps()
 
     @property
@@ -117,6 +119,17 @@ class FreeKeys:
         return checked(self.placed([float(value) for value in values]))
 
     # -- from keys to numbers -----------------------------------------------------
+
+    def _all_expanded(self) -> list[list[FreeNumber]]:
+        found, faults = [], list[Fault]()
+        for key in self.given:
+            try:
+                found.append(self._expanded(key))
+            except SpecError as error:
+                faults += error.faults
+        if faults:
+            raise SpecError(faults)
+        return found
 
     def _expanded(self, key: str) -> list[FreeNumber]:
         path = _parsed(key)

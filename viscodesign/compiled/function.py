@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -19,6 +20,7 @@ from viscodesign.compiled.batch import (
     in_parts,
 )
 from viscodesign.compiled.batch import Batch as Batch
+from viscodesign.compiled.directions import independent
 from viscodesign.compiled.free_keys import over_one_period
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
@@ -27,14 +29,16 @@ from viscodesign.compiled.reading import Members
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.compiled.side_by_side import SideBySide
 from viscodesign.compiled.solution import MotionFunction
+from viscodesign.effects.allowed_sets import AllowedSets
 from viscodesign.effects.select import select_effects
-from viscodesign.errors import SpecError, ViscodesignError, did_you_mean
+from viscodesign.errors import Fault, SpecError, ViscodesignError, did_you_mean
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.results.findings import Verdict
 from viscodesign.scene.scene import Scene
-from viscodesign.simulation.build_problem import Settings, build, suggest_settings
+from viscodesign.simulation.build_problem import Settings, suggest_settings
+from viscodesign.simulation.solve_once import KEPT_PROBLEMS
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.transient import suitable_solver
 from viscodesign.storage.cached_property import cached_property
@@ -124,10 +128,11 @@ class _Solved:
 class CompiledFunction:
     """Outputs of a scene as a function of free numbers [SI], with derivatives.
 
-    Effects, mesh, tolerance and output times are those of the scene that it was made of. Safe in
-    threads, and picklable: a copy compiles the same scene again. With ``one_period`` the run lasts
-    one period of its only input, and output times keep their share of it as the period changes;
-    derivatives are those at times that stay.
+    Effects, mesh, tolerance and output times are those of the scene that it was made of; names of
+    ``effects`` take the place of those that it calls for. Safe in threads, and picklable: a copy
+    compiles the same scene again. With ``one_period`` the run lasts one period of its only input,
+    and output times keep their share of it as the period changes; derivatives are those at times
+    that stay. With ``keeps_unused`` numbers may be free on which nothing depends.
     """
 
     def __init__(
@@ -139,6 +144,8 @@ class CompiledFunction:
         edges_per_section: int | None = None,
         *,
         one_period: bool = False,
+        effects: frozenset[str] | None = None,
+        keeps_unused: bool = False,
     ) -> None:
         free, outputs = _names("free", free), _names("outputs", outputs)
         if not isinstance(scene, Scene):
@@ -153,34 +160,45 @@ class CompiledFunction:
             )
         if one_period:
             scene = over_one_period(scene)
-        self._made_of = (scene, free, outputs, tolerance, edges_per_section, one_period)
+        self._made_of = (scene, free, outputs, tolerance, edges_per_section)
+        self._options: dict[str, Any] = {
+            "one_period": one_period,
+            "effects": effects,
+            "keeps_unused": keeps_unused,
+        }
         quantities = SceneQuantities(scene)
         refuse_beyond_numbers(quantities)
-        self._selection = select_effects(quantities)
-        refuse_unsolvable(quantities, self._selection.active)
+        self._active = select_effects(quantities).active if effects is None else effects
+        refuse_unsolvable(quantities, self._active)
         refuse_contact(
             quantities,
             "a function with derivatives, as compile, fit, design, "
             "sensitivity and `uncertainty` need it,",
         )
-        settings = suggest_settings(quantities, self._selection.effects)
+        members = AllowedSets(quantities).members(self._active)
+        settings = suggest_settings(quantities, members)
         if tolerance is not None:
             settings = replace(settings, tolerance=tolerance)
         if edges_per_section is not None:
             settings = replace(settings, edges_per_section=edges_per_section)
         self._numbers = SceneNumbers(
-            quantities, self._selection, settings, free, one_period=one_period
+            quantities, members, settings, free, one_period=one_period, keeps_unused=keeps_unused
         )
-        problem = build(quantities, self._selection.effects, settings)
-        self._built = quantities, self._selection.effects, settings, problem
+        problem = KEPT_PROBLEMS.problem(quantities, members, settings).problem
+        self._built = quantities, members, settings, problem
         own = self._numbers.at(self._numbers.values)
-        self._motion, self._chosen = _motion(
+        self._kept: LruCache[_Solved] = LruCache(KEPT_SOLUTIONS)
+        self._kept_slopes: LruCache[Outputs] = LruCache(1)  # who tries them asks for them next
+        self._motion, self._chosen, solution = _motion(
             quantities, problem, settings, outputs, own, follow=one_period
         )
-        self._kept: LruCache[_Solved] = LruCache(KEPT_SOLUTIONS)
+        if solution is not None:
+            values = self._numbers.values
+            found = _Solved(values, own, solution, self._period(values))
+            self._kept.keep(values.tobytes(), found)
 
     def __reduce__(self) -> tuple[Callable[..., CompiledFunction], tuple[Any, ...]]:
-        return _made_again, self._made_of
+        return partial(CompiledFunction, **self._options), self._made_of
 
     def __repr__(self) -> str:
         count, name = len(self.names), self._made_of[0].name
@@ -219,7 +237,17 @@ class CompiledFunction:
     @property
     def effects(self) -> frozenset[str]:
         """Names of the effects that are included."""
-        return self._selection.active
+        return self._active
+
+    @property
+    def is_used(self) -> np.ndarray:
+        """(f,) Whether anything depends on each of the free numbers."""
+        return self._numbers.branch.is_used.copy()
+
+    @property
+    def unused(self) -> tuple[Fault, ...]:
+        """Why nothing depends on those of which that is so."""
+        return self._numbers.unused
 
     # -- values and derivatives ---------------------------------------------------
 
@@ -238,10 +266,20 @@ class CompiledFunction:
         side.
         """
         solved = self._solved(values)
+        key = solved.values.tobytes()
+        found = self._kept_slopes.found(key)
+        if found is None:
+            found = self._kept_slopes.keep(key, self._slopes(solved))
+        return {name: np.array(own) for name, own in found.items()}
+
+    def _slopes(self, solved: _Solved) -> Outputs:
         slopes = self._numbers.jacobian_at(solved.values)
         dots = ProblemNumbers(*(np.moveaxis(part, -1, 0) for part in slopes))
-        rates = self._motion.push_forward(solved.solution, solved.numbers, dots)
         columns, period_rates = solved.solution.columns, self._period_slopes(solved)
+        own, parts = independent(dots, solved.numbers)
+        rates = self._motion.push_forward(solved.solution, solved.numbers, dots.row(own))
+        if parts is not None:
+            rates = np.tensordot(parts, rates, 1)
         return self._chosen.push_forward(columns, solved.period, rates, period_rates)
 
     def vjp(self, values: Values | None, weights: Mapping[str, Any]) -> np.ndarray:
@@ -396,20 +434,6 @@ class CompiledFunction:
         return labels
 
 
-def _made_again(
-    scene: Scene,
-    free: Sequence[str],
-    outputs: Sequence[str],
-    tolerance: float | None,
-    edges_per_section: int | None,
-    one_period: bool,
-) -> CompiledFunction:
-    """A copy of a function."""
-    return CompiledFunction(
-        scene, free, outputs, tolerance, edges_per_section, one_period=one_period
-    )
-
-
 def _names(what: str, given: Sequence[str]) -> tuple[str, ...]:
     """Names as they were given; one alone is a sequence of one."""
     found = (
@@ -451,8 +475,8 @@ def _motion(
     numbers: ProblemNumbers,
     *,
     follow: bool,
-) -> tuple[DifferentiableMotion, ChosenOutputs]:
-    """How the columns are solved for, and how outputs are read from them."""
+) -> tuple[DifferentiableMotion, ChosenOutputs, SolvedOutputs | None]:
+    """How the columns are solved for, how outputs are read from them, and a first solution."""
     members, start = Members.of(quantities), quantities.scene.run.start
     chosen = ChosenOutputs(problem, members, outputs)
     columns, tolerance = chosen.columns, settings.tolerance
@@ -460,12 +484,12 @@ def _motion(
     if problem.equations.states.count:
         try:
             own = MotionFunction(problem, tolerance, members, columns, start=start, follow=follow)
-            own.solve(numbers, recorded=False)  # its equations may be singular at the start
-            return own, chosen
+            # Its equations may be singular at the start.
+            return own, chosen, own.solve(numbers)
         except NativeUnavailable as error:
             reason = str(error)
     solver = suitable_solver(problem, settings.solver, settings.is_free)
     integrated = IntegratedMotion(
         problem, tolerance, solver, members, columns, start=start, reason=reason, follow=follow
     )
-    return integrated, chosen
+    return integrated, chosen, None

@@ -41,6 +41,28 @@ class SolvedColumns:
         return self.read.columns
 
 
+class Constraints:
+    """Algebraic equations of a motion without states, by rows of arguments. Stateless."""
+
+    def __init__(self, problem: Problem) -> None:
+        own = Symbols.of(problem)
+        function = problem.equations.algebraic_function
+        alg, slopes = function.call([own.states, own.algebraics, *own.tail])
+        arguments = own.row[1:]
+        self.residual = RowFunction(arguments, alg, shared=1)
+        self._slopes = RowFunction(arguments, ca.vec(ca.densify(slopes)), shared=1)
+
+    @classmethod
+    def of(cls, problem: Problem) -> Constraints:
+        """Those of all problems with these formulas."""
+        return problem.equations.shared.derived(cls, None, lambda: cls(problem))
+
+    def jacobians(self, rows: Sequence[np.ndarray]) -> np.ndarray:
+        """(T, nz, nz) by the algebraic unknowns."""
+        count = rows[0].shape[1]
+        return self._slopes(*rows).reshape(len(rows[0]), count, count).transpose(0, 2, 1)
+
+
 class IntegratedMotion:
     """Columns (T, columns) at the output times as a function of the numbers of a problem."""
 
@@ -61,20 +83,11 @@ class IntegratedMotion:
         self._times = OutputTimes.of(problem, follow=follow)
         self.times = self._times.own
         """(T,) output times of the problem itself [s]."""
-        self._reading = Reading(problem, members, columns)
+        self._reading = Reading.of(problem, members, columns)
         self.side_by_side = None
         """Rows are solved one by one."""
         if not problem.equations.states.count:
-            self._differentiate()
-
-    def _differentiate(self) -> None:
-        """Prepare the algebraic equations for `pull_back` and `push_forward`."""
-        own = Symbols.of(self._problem)
-        function = self._problem.equations.algebraic_function
-        alg, slopes = function.call([own.states, own.algebraics, *own.tail])
-        arguments = own.row[1:]
-        self._residual = RowFunction(arguments, alg, shared=1)
-        self._slopes = RowFunction(arguments, ca.vec(ca.densify(slopes)), shared=1)
+            self._constraints = Constraints.of(problem)
 
     def solve(self, numbers: ProblemNumbers, *, recorded: bool = True) -> SolvedColumns:
         """Solve the run; there is nothing to record.
@@ -110,8 +123,8 @@ class IntegratedMotion:
         self._refuse_moving()
         _, z_bar, _, piece_bar, parameters = self._reading.pull_back(solved.read.rows, weights)
         rows = solved.read.rows[1:]
-        passed = -_solved(self._jacobians(rows), z_bar, transposed=True)
-        _, _, more_piece, more = self._residual.pull_back(rows, passed)
+        passed = -_solved(self._constraints.jacobians(rows), z_bar, transposed=True)
+        _, _, more_piece, more = self._constraints.residual.pull_back(rows, passed)
         slopes = numbers.zeros()
         slopes.parameters[:] = parameters + more
         np.add.at(
@@ -125,20 +138,15 @@ class IntegratedMotion:
         """Rates (d, T, columns) along d directions, the first axis of all ``dots``."""
         self._refuse_moving()
         rows, stretches = solved.read.rows[1:], stretch_of(self._times.at(numbers), numbers)
-        jacobians = self._jacobians(rows)
+        jacobians = self._constraints.jacobians(rows)
         still = np.zeros((len(self.times), 0)), np.zeros((len(self.times), 1))
         found = []
         for pieces, parameters in zip(dots.pieces, dots.parameters, strict=True):
             given = [still[1], pieces[stretches], parameters]
-            defect = self._residual.push_forward(rows, [np.zeros_like(rows[0]), *given])
+            defect = self._constraints.residual.push_forward(rows, [np.zeros_like(rows[0]), *given])
             moved = -_solved(jacobians, defect, transposed=False)
             found.append(self._reading.push_forward(solved.read.rows, [still[0], moved, *given]))
         return np.array(found)
-
-    def _jacobians(self, rows: Sequence[np.ndarray]) -> np.ndarray:
-        """(T, nz, nz) of the constraints."""
-        count = rows[0].shape[1]
-        return self._slopes(*rows).reshape(len(rows[0]), count, count).transpose(0, 2, 1)
 
     def _refuse_moving(self) -> None:
         if self._problem.equations.states.count:

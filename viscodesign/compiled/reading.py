@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import casadi as ca
 import numpy as np
 
-from viscodesign.compiled.endings import Endings
+from viscodesign.compiled.endings import Endings, volumes_count
 from viscodesign.compiled.problem_at import stretch_of
 from viscodesign.compiled.row_functions import RowFunction
 from viscodesign.compiled.scene_numbers import ProblemNumbers
@@ -44,6 +44,13 @@ class Reading:
     Arguments of a row: states, algebraic unknowns, time, inlet coefficients; the parameters are
     shared by all rows.
     """
+
+    @classmethod
+    def of(cls, problem: Problem, members: Members, columns: Sequence[str]) -> Reading:
+        """That of all problems with these formulas and names."""
+        names = members, problem.inlets, problem.bellows_along_tubes, tuple(columns)
+        key = names, problem.places.tobytes(), problem.body.sections, volumes_count(problem)
+        return problem.equations.shared.derived(cls, key, lambda: cls(problem, members, columns))
 
     def __init__(self, problem: Problem, members: Members, columns: Sequence[str]) -> None:
         symbols, self._states = Symbols.of(problem), problem.equations.states.count

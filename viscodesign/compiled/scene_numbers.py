@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 import numpy as np
 
@@ -10,8 +10,8 @@ from viscodesign.compiled.branch import Branch, NumberSlopes, Stuck
 from viscodesign.compiled.branch import ProblemNumbers as ProblemNumbers
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.problem_trace import CORNERS, FrozenParts, ProblemTrace, traced
+from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import catalogue
-from viscodesign.effects.select import Selection
 from viscodesign.errors import Fault, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.scene.scene import Scene
@@ -43,29 +43,34 @@ class SceneNumbers:
     near the scene's own numbers as a CasADi function.
 
     Safe in threads. Raises `SpecError` for keys that cannot be free: see `FreeKeys`; where nothing
-    in the equations depends on a number; or where its value stands in a formula as a constant.
+    in the equations depends on a number, unless it ``keeps_unused`` ones; or where its value stands
+    in a formula as a constant.
     """
 
     def __init__(
         self,
         quantities: SceneQuantities,
-        selection: Selection,
+        effects: Sequence[Effect],
         settings: Settings,
         free: Sequence[str],
         *,
         one_period: bool = False,
+        keeps_unused: bool = False,
     ) -> None:
         self.keys = FreeKeys(quantities.scene, free, one_period=one_period)
         self.names = self.keys.names
         self.values = self.keys.values
         """(f,) The scene's own numbers [SI]."""
-        self._frozen = FrozenParts.of(quantities, selection.effects, settings)
+        self._frozen = FrozenParts.of(quantities, effects, settings)
         self.branch = self._branch_at(self.values)
         if faults := self.branch.stuck.faults(self.names, self.values, "cannot be free"):
             raise SpecError(faults)
         used = zip(self.names, self.branch.is_used, strict=True)
-        if unused := [name for name, is_used in used if not is_used]:
-            raise SpecError([_unused_fault(name, selection) for name in unused])
+        active = {effect.name for effect in effects}
+        self.unused = tuple(_unused_fault(name, active) for name, is_used in used if not is_used)
+        """Of the free numbers on which nothing depends, why that is."""
+        if self.unused and not keeps_unused:
+            raise SpecError(self.unused)
         self._branches: tuple[Branch, ...] = (self.branch,)
         self.parameter_names = self.branch.parameter_names
 
@@ -179,12 +184,12 @@ class SceneNumbers:
         return Stuck({k: places[k] for k in np.flatnonzero(below & above).tolist()})
 
 
-def _unused_fault(name: str, selection: Selection) -> Fault:
+def _unused_fault(name: str, active: Collection[str]) -> Fault:
     """Why nothing depends on a number, and which neglected effects would."""
     readers = [
         effect.name
         for effect in catalogue().values()
-        if effect.name not in selection.active and name in effect.keys
+        if effect.name not in active and name in effect.keys
     ]
     hint = f"; effects that would are not included: {', '.join(readers)}" if readers else ""
     return Fault(f"{NOTHING_DEPENDS}{hint}", name)

@@ -89,13 +89,13 @@ class MotionFunction:
         self._times = OutputTimes.of(problem, follow=follow)
         self.times = self._times.own
         """(T,) output times of the problem itself [s]."""
-        self._stretches, self._slopes = Stretches(problem, tolerance), StretchSlopes(problem)
+        self._stretches, self._slopes = Stretches(problem, tolerance), StretchSlopes.of(problem)
         self._steady = StartFunction(problem, steady=start != "rest")
         self._start: RunStart = self._steady
         self._is_straight = start == "equilibrium" and not follow
         if start == "periodic":
             self._start = CycleStart(self._steady, self._stretches, self._slopes, tolerance)
-        self.reading = Reading(problem, members, columns)
+        self.reading = Reading.of(problem, members, columns)
 
     # -- values -------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import casadi as ca
 import numpy as np
 
@@ -36,6 +38,40 @@ class FoundEquilibrium:
     """(nu,) of the implicit equations."""
 
 
+class StartEquations:
+    """The implicit equations of a start, and the start by their unknowns. Stateless."""
+
+    def __init__(self, unknowns: SX, piece: SX, parameters: SX, residual: SX, start: SX) -> None:
+        arguments = (unknowns, piece, parameters)
+        # A start takes a few rows a solution.
+        self.residual = RowFunction(arguments, residual, is_merged=False)
+        self.start = RowFunction(arguments, start, is_merged=False)
+        slopes = ca.jacobian(residual, unknowns)
+        self._pattern = slopes.sparsity()
+        self._places = tuple(np.array(k, dtype=int) for k in self._pattern.get_triplet())
+        entries = ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:]))
+        self.slopes = RowFunction(arguments, entries, is_merged=False)
+
+    @classmethod
+    def of(cls, problem: Problem, *, steady: bool) -> StartEquations:
+        """Those of all problems with these formulas, in equilibrium or at rest."""
+        straight = b"" if steady else _straight(problem).tobytes()
+
+        def made() -> StartEquations:
+            own = Symbols.of(problem)
+            make = _steady_formulas if steady else _rest_formulas
+            unknowns, residual, start = make(problem, own.piece, own.parameters)
+            return cls(unknowns, own.piece, own.parameters, residual, start)
+
+        return problem.equations.shared.derived(cls, (steady, straight), made)
+
+    def jacobians(self, rows: Sequence[np.ndarray]) -> np.ndarray:
+        """(m, nu, nu) of the implicit equations."""
+        found = np.zeros((len(rows[0]), *self._pattern.shape))
+        found[:, self._places[0], self._places[1]] = self.slopes(*rows)
+        return found
+
+
 class StartFunction:
     """States and algebraic unknowns (nx + nz,) at t = 0 by the first inlet coefficients and the
     parameters.
@@ -45,19 +81,7 @@ class StartFunction:
     """
 
     def __init__(self, problem: Problem, *, steady: bool) -> None:
-        self._steady = steady
-        own = Symbols.of(problem)
-        make = _steady_formulas if steady else _rest_formulas
-        unknowns, residual, start = make(problem, own.piece, own.parameters)
-        arguments = (unknowns, own.piece, own.parameters)
-        # A start takes a few rows a solution.
-        self._residual = RowFunction(arguments, residual, is_merged=False)
-        self._start = RowFunction(arguments, start, is_merged=False)
-        slopes = ca.jacobian(residual, unknowns)
-        self._pattern = slopes.sparsity()
-        self._places = tuple(np.array(k, dtype=int) for k in self._pattern.get_triplet())
-        entries = ca.vertcat(SX(0, 1), *ca.vertsplit(slopes.nz[:]))
-        self._slopes = RowFunction(arguments, entries, is_merged=False)
+        self._steady, self._own = steady, StartEquations.of(problem, steady=steady)
         piece_now = problem.schedule.initial_piece
         self._near = static_equilibrium(problem, 0.0, piece_now) if steady else None
         self._statics, self._stability = problem.equations.statics, problem.static_stability
@@ -70,7 +94,7 @@ class StartFunction:
             unknowns, is_found = self._nearby(*rows)
             if not is_found[0]:
                 unknowns = static_equilibrium(problem, 0.0, piece)[None]
-            start = self._start(unknowns, *rows)[0]
+            start = self._own.start(unknowns, *rows)[0]
             states = problem.equations.states.count
             return FoundEquilibrium(Start(*np.split(start, [states])), unknowns[0])
         start = rest(problem, piece)
@@ -82,10 +106,10 @@ class StartFunction:
         Those that do not are too far from the one that this was made near, or at rest.
         """
         if self._near is None:
-            count = self._start.size
+            count = self._own.start.size
             return np.zeros((len(pieces), count)), np.zeros(len(pieces), dtype=bool)
         unknowns, is_found = self._nearby(pieces, parameters)
-        return self._start(unknowns, pieces, parameters), is_found
+        return self._own.start(unknowns, pieces, parameters), is_found
 
     def _nearby(self, pieces: np.ndarray, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Equilibria (m, nu) on the same branch as one of other numbers, and which count (m,)."""
@@ -96,7 +120,7 @@ class StartFunction:
             return y, is_found
         for _ in range(MAX_CORRECTIONS):
             rows = [y[still], pieces[still], parameters[still]]
-            step = solve_each(self._jacobians(rows), self._residual(*rows))
+            step = solve_each(self._own.jacobians(rows), self._own.residual(*rows))
             y[still] -= step
             sizes = np.max(np.abs(step), axis=1, initial=0.0)
             is_found[still[sizes <= CONVERGED]] = True
@@ -115,13 +139,7 @@ class StartFunction:
         if self._stability is None or span is None or near is None or not len(found):
             return np.ones(len(found), dtype=bool)
         is_near = [on_same_branch(span, (near,), own) for own in found]
-        return self._stability.are_stable(self._slopes(found, pieces, parameters)) & is_near
-
-    def _jacobians(self, rows: list[np.ndarray]) -> np.ndarray:
-        """(m, nu, nu) of the implicit equations."""
-        found = np.zeros((len(rows[0]), *self._pattern.shape))
-        found[:, self._places[0], self._places[1]] = self._slopes(*rows)
-        return found
+        return self._stability.are_stable(self._own.slopes(found, pieces, parameters)) & is_near
 
     def pull_back(
         self,
@@ -132,9 +150,9 @@ class StartFunction:
     ) -> ProblemNumbers:
         """Slopes of weights (nx + nz,) times the start by all numbers."""
         rows = self._rows(problem, found.unknowns)
-        own, piece, parameters = self._start.pull_back(rows, weights[None])
+        own, piece, parameters = self._own.start.pull_back(rows, weights[None])
         passed = self._solve(rows, own[0], transposed=True)
-        _, more_piece, more = self._residual.pull_back(rows, -passed[None])
+        _, more_piece, more = self._own.residual.pull_back(rows, -passed[None])
         slopes = numbers.zeros()
         slopes.initial_piece[:] = (piece + more_piece)[0]
         slopes.parameters[:] = (parameters + more)[0]
@@ -152,9 +170,9 @@ class StartFunction:
         count, given = len(dots.parameters), [dots.initial_piece, dots.parameters]
         rows = [np.repeat(row, count, axis=0) for row in self._rows(problem, found.unknowns)]
         still = np.zeros((count, len(found.unknowns)))
-        defect = self._residual.push_forward(rows, [still, *given])
+        defect = self._own.residual.push_forward(rows, [still, *given])
         own = -self._solve(self._rows(problem, found.unknowns), defect.T).T
-        return self._start.push_forward(rows, [own, *given])
+        return self._own.start.push_forward(rows, [own, *given])
 
     def _rows(self, problem: Problem, unknowns: np.ndarray) -> list[np.ndarray]:
         parameters = problem.equations.parameter_values
@@ -165,7 +183,7 @@ class StartFunction:
     ) -> np.ndarray:
         if not right.size:
             return right
-        (slopes,) = self._jacobians(rows)
+        (slopes,) = self._own.jacobians(rows)
         try:
             return np.linalg.solve(slopes.T if transposed else slopes, right)
         except np.linalg.LinAlgError as error:
@@ -231,14 +249,20 @@ def _rest_unknowns(problem: Problem, start: Start) -> np.ndarray:
     return np.concatenate(parts)
 
 
+def _straight(problem: Problem) -> np.ndarray:
+    """Coordinates of the straight, unloaded rod, in their sizes."""
+    sections = problem.body.sections
+    return np.asarray(problem.rod.unloaded_coordinates(np.zeros(sections), np.ones(sections)))
+
+
 def _resting_unknowns(problem: Problem, parameters: SX) -> SX:
     """Static unknowns of a straight rod with all pressures at the baseline."""
-    equations, body = problem.equations, problem.body
+    equations = problem.equations
     quantities = equations.compiled(of.quantities).call([parameters])
     sizes = quantities[-len(equations.statics.blocks) :]
     baseline = parameters[parameter_names(equations).index("gauge_pressure")]
     parts, used = [SX(0, 1)], 0
-    straight = problem.rod.unloaded_coordinates(np.zeros(body.sections), np.ones(body.sections))
+    straight = _straight(problem)
     for block, size in zip(equations.statics.blocks.values(), sizes, strict=True):
         if block.traits.is_multivalued or equations.rod_form is RodForm.STATIC:
             raise SpecError.plain(

@@ -39,6 +39,11 @@ class StretchDots:
 class StretchSlopes:
     """Goes back over the stretches of a solved run, or along them in many directions. Stateless."""
 
+    @classmethod
+    def of(cls, problem: Problem) -> StretchSlopes:
+        """Those of all problems with these formulas."""
+        return problem.equations.shared.derived(cls, None, lambda: cls(problem))
+
     def __init__(self, problem: Problem) -> None:
         local = problem.equations.local
         assert local is not None, "native steps have it"

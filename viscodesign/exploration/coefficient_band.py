@@ -11,7 +11,7 @@ from viscodesign.compiled.scene_numbers import NOTHING_DEPENDS
 from viscodesign.effects.effects_key import scene_key
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.exploration.differentiable import LeftOut, differentiable
-from viscodesign.exploration.stated_uncertainty import StatedDeviation, stated_deviations
+from viscodesign.exploration.stated_uncertainty import StatedDeviation
 from viscodesign.results.coefficient_band import CoefficientBand, UncertainNumber
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
@@ -21,27 +21,27 @@ from viscodesign.storage.lru_cache import LruCache
 WIDEST = 0.43
 """Half-width, in parts of the length, up to which bands were found to hold
 (`benchmarks/results/uncertainty_coverage.md`)."""
+TOLERANCE = 1e-3
+"""Of the steps: bands by it are within a percent of those by far smaller ones."""
 Stated = dict[str, StatedDeviation]
-_SLOPES: LruCache[tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]] = LruCache(4)
+Slopes = tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]
+"""Derivatives of the tip (T, 2, k) [m/unit]; key, value and unit of each number; other keys."""
+_SLOPES: LruCache[Slopes] = LruCache(4)
 """Those of the latest scenes."""
 
 
-def refuse_uncertainty(scene: Scene) -> None:
-    """Raise `SpecError` for what a scene says of numbers that it cannot say it of."""
-    stated_deviations(scene)
-
-
-def coefficient_band(scene: Scene, run: Trajectory) -> CoefficientBand | Notice | None:
+def coefficient_band(
+    scene: Scene, run: Trajectory, stated: Stated
+) -> CoefficientBand | Notice | None:
     """The band of a complete run, with the effects that it included, or why there is none.
 
-    By one more solution and its exact derivatives by all numbers. None where the spec says nothing.
+    By one more solution and its exact derivatives by the numbers whose deviations are ``stated``.
     """
-    stated = stated_deviations(scene)
-    if not stated or run.status != "complete":
+    if run.status != "complete":
         return None
     began = clock.perf_counter()
     try:
-        slopes, numbers, left_out = _slopes(_pinned(scene, run), stated)
+        slopes, numbers, left_out = _slopes(scene, run, stated)
     except (SolveError, SpecError) as error:
         if isinstance(error, SpecError) and (still := _unmoved(error, stated)):
             zero = np.zeros((len(run.time), 3))
@@ -83,24 +83,24 @@ def width_notices(band: CoefficientBand, run: Trajectory) -> tuple[Notice, ...]:
     return (Notice("wide_band", message, f"uncertainty.{band.numbers[0].key}"),)
 
 
-def _pinned(scene: Scene, run: Trajectory) -> Scene:
-    """The scene with the effects that its run has included."""
-    modes = {f"effects.{v.name}": "on" if v.taken else "off" for v in run.effects}
-    return scene.replace({**modes, "effects.others": "off"})
+def _slopes(scene: Scene, run: Trajectory, stated: Stated) -> Slopes:
+    """With the effects that the run has included."""
+    effects = frozenset(verdict.name for verdict in run.effects if verdict.taken)
 
+    def solved() -> Slopes:
+        keys = list(stated)
+        function, left_out = differentiable(
+            scene, keys, TIP_COLUMNS, by_percent=False, tolerance=TOLERANCE, effects=effects
+        )
+        used, slopes = function.is_used, function.jacobian()
+        units = zip(function.names, map(float, function.values), function.units, strict=True)
+        return (
+            np.stack([slopes[name][:, used] for name in TIP_COLUMNS], axis=1),
+            tuple(number for number, is_used in zip(units, used, strict=True) if is_used),
+            left_out,
+        )
 
-def _slopes(
-    scene: Scene, stated: Stated
-) -> tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]:
-    """Derivatives of the tip (T, 2, k) [m/unit]; key, value and unit of each number."""
-
-    def solved() -> tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]:
-        function, left_out = differentiable(scene, list(stated), TIP_COLUMNS, by_percent=False)
-        slopes, names = function.jacobian(), function.names
-        found = tuple(zip(names, map(float, function.values), function.units, strict=True))
-        return np.stack([slopes[name] for name in TIP_COLUMNS], axis=1), found, left_out
-
-    return _SLOPES.get((scene_key(scene), scene.source, tuple(stated)), solved)
+    return _SLOPES.get((scene_key(scene), scene.source, tuple(stated), effects), solved)
 
 
 def _by_share(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from viscodesign._version import __version__
-from viscodesign.compiled.free_keys import FreeKeys, candidates
+from viscodesign.compiled.free_keys import candidates
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.compiled.outputs import TIP_COLUMNS
 from viscodesign.effects.effects_key import scene_key
@@ -60,8 +60,8 @@ def sensitivity(
         raise SpecError.plain("a sample needs tolerances, such as network.tube_radius=5%")
     spread = None if tolerances is None else deviations(scene, tolerances)
     function, left_out = _function(scene, None if spread is None else tuple(spread))
-    outputs, slopes = function(), function.jacobian()
-    units = {n.name: n.unit for n in FreeKeys(scene, function.names).numbers}
+    outputs, slopes, used = function(), function.jacobian(), function.is_used
+    numbers = zip(function.names, function.values, function.units, used, strict=True)
     study = SensitivityStudy(
         name=scene.name,
         version=__version__,
@@ -69,10 +69,11 @@ def sensitivity(
         time=function.times,
         tip=np.column_stack([outputs[name] for name in TIP_COLUMNS]),
         numbers=tuple(
-            SensitiveNumber(name, float(value), units[name], (spread or {}).get(name))
-            for name, value in zip(function.names, function.values, strict=True)
+            SensitiveNumber(name, float(value), unit, (spread or {}).get(name))
+            for name, value, unit, is_used in numbers
+            if is_used
         ),
-        slopes=np.stack([slopes[name] for name in TIP_COLUMNS], axis=1),
+        slopes=np.stack([slopes[name][:, used] for name in TIP_COLUMNS], axis=1),
         effects=function.effects,
         left_out=left_out,
         resolved_sha256=resolved_sha256(scene),

@@ -7,12 +7,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import RunInterruptedError, Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate as simulate_once
 from viscodesign.simulation.solve_once import Progress
+
+if TYPE_CHECKING:
+    from viscodesign.exploration.stated_uncertainty import StatedDeviation
 
 
 def simulate(
@@ -43,11 +47,11 @@ def simulate(
     Raises `SpecError` for a scene without a bounded solution, `SolveError` where not even an
     initial equilibrium exists.
     """
-    has_band = uncertainty and isinstance(scene, Scene) and scene.uncertainty is not None
-    if has_band:
-        from viscodesign.exploration.coefficient_band import refuse_uncertainty
+    stated: dict[str, StatedDeviation] = {}
+    if uncertainty and isinstance(scene, Scene) and scene.uncertainty is not None:
+        from viscodesign.exploration.stated_uncertainty import stated_deviations
 
-        refuse_uncertainty(scene)
+        stated = stated_deviations(scene)
     run = simulate_once(
         scene,
         verify=verify,
@@ -57,16 +61,16 @@ def simulate(
         scratch=scratch,
     )
     try:
-        return _with_band(scene, run) if has_band else run
+        return _with_band(scene, run, stated) if stated else run
     except KeyboardInterrupt:
         raise RunInterruptedError(run) from None
 
 
-def _with_band(scene: Scene, run: Trajectory) -> Trajectory:
+def _with_band(scene: Scene, run: Trajectory, stated: dict[str, StatedDeviation]) -> Trajectory:
     """The run with the band of its coefficients, or a warning that says why it has none."""
     from viscodesign.exploration.coefficient_band import coefficient_band, width_notices
 
-    found = coefficient_band(scene, run)
+    found = coefficient_band(scene, run, stated)
     if isinstance(found, Notice):
         return replace(run, warnings=(*run.warnings, found))
     if found is not None:

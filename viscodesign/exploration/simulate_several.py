@@ -9,6 +9,7 @@ from pathlib import Path
 from viscodesign._version import __version__
 from viscodesign.errors import SolveError, UsageError, described
 from viscodesign.exploration.simulate import simulate
+from viscodesign.exploration.stated_uncertainty import stated_deviations
 from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.several_runs import SeveralRuns
 from viscodesign.results.trajectory import RunInterruptedError, Trajectory
@@ -38,7 +39,8 @@ def simulate_several(
     error. Arguments as of `simulate`. An actuator whose solution does not even begin is among
     ``failures``, and the others go on; Ctrl-C leaves out what is not done.
 
-    Raises `SpecError` where an actuator has no bounded solution.
+    Raises `SpecError` where an actuator has no bounded solution, and before anything is solved for
+    what `uncertainty` cannot say.
     """
     if not isinstance(scene, SeveralScene):
         given = described(scene)
@@ -52,6 +54,8 @@ def simulate_several(
         *(((name,), scene.scenes[name], None) for name in alone),
         *((group.names, joined, group) for group, joined in groups),
     ]
+    for _, own, _ in parts if uncertainty and scene.uncertainty is not None else ():
+        stated_deviations(own)
     runs: dict[str, Trajectory] = {}
     failures: dict[str, str] = {}
     coupled: list[CoupledMotion] = []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -11,11 +12,11 @@ from pydantic_core import PydanticCustomError
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.free_number import FreeNumber
 from viscodesign.errors import Fault, SpecError
-from viscodesign.exploration.tolerances import SpreadWords, deviations
+from viscodesign.exploration.tolerances import SpreadWords, deviation
 from viscodesign.exploration.typical_uncertainties import typical_of
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.uncertainty import FORM, TYPICAL
+from viscodesign.scene.uncertainty import ALLOWED, FORM, TYPICAL, Spread
 from viscodesign.units import QuantityKind
 
 SECTION = "uncertainty"
@@ -34,52 +35,63 @@ class StatedDeviation:
 def stated_deviations(scene: Scene) -> dict[str, StatedDeviation]:
     """By the keys of free numbers; empty where the spec says nothing.
 
-    Raises `SpecError` for keys that are none or that overlap, and for spreads that are none.
+    What is typical is assumed of coefficients that are not zero. Raises `SpecError` for keys that
+    are none or that overlap, and for spreads that are none.
     """
     stated = scene.uncertainty
     if stated is None:
         return {}
+    typical = typical_of(scene, set(stated.spreads)) if stated.others == TYPICAL else {}
+    given: dict[str, Spread] = {**stated.spreads, **typical}
+    if not given:
+        return {}
+    try:
+        keys = FreeKeys(scene, list(given))  # refuses keys that overlap
+    except SpecError as error:
+        raise SpecError([_located(scene, f, f.key, given) for f in error.faults]) from None
     found: dict[str, StatedDeviation] = {}
     faults: list[Fault] = []
-    for key, spread in stated.spreads.items():
+    for (key, spread), numbers in zip(given.items(), keys.numbers_of, strict=True):
+        counted = [n for n in numbers if n.value or key not in typical]
         try:
-            own = _of_range(scene, key, spread) if isinstance(spread, tuple) else (
-                deviations(scene, {key: spread}, WORDS)
-            )  # fmt: skip
+            own = _deviations(keys, counted, spread)
         except SpecError as error:
-            faults += [replace(f, key=f"{SECTION}.{f.key or key}") for f in error.faults]
+            faults += [_located(scene, fault, key, given) for fault in error.faults]
             continue
-        found |= {name: StatedDeviation(sd, False) for name, sd in own.items()}
+        found |= {name: StatedDeviation(sd, key in typical) for name, sd in own.items()}
     if faults:
         raise SpecError(faults)
-    if stated.others == TYPICAL:
-        found |= _typical(scene, found)
-    if found:
-        FreeKeys(scene, list(found))  # refuses keys that overlap
     return found
 
 
-def _typical(scene: Scene, stated: dict[str, StatedDeviation]) -> dict[str, StatedDeviation]:
-    """Those assumed of the coefficients of a scene that are not zero."""
-    found: dict[str, StatedDeviation] = {}
-    for key, spread in typical_of(scene, set(stated)).items():
-        (number,) = FreeKeys(scene, [key]).numbers
-        if number.value:
-            found[key] = StatedDeviation(deviations(scene, {key: spread})[key], True)
-    return found
+def _located(scene: Scene, fault: Fault, key: str, given: dict[str, Spread]) -> Fault:
+    """The fault of a key where the spec states it."""
+    file, line = scene.source.place(f"{SECTION}.{key}")
+    own = given.get(key)
+    return replace(
+        fault,
+        key=f"{SECTION}.{fault.key}",
+        file=file,
+        line=line,
+        given=list(own) if isinstance(own, tuple) else own,
+        allowed=ALLOWED,
+    )
 
 
-def _of_range(scene: Scene, key: str, ends: tuple[Any, ...]) -> dict[str, float]:
-    """Root mean square distance from the value, of numbers spread evenly between two ends."""
-    return {n.name: _rms(n, *_ends(scene, n, ends)) for n in FreeKeys(scene, [key]).numbers}
+def _deviations(keys: FreeKeys, numbers: Iterable[FreeNumber], spread: Spread) -> dict[str, float]:
+    if isinstance(spread, tuple):
+        return {number.name: _rms(number, *_ends(keys, number, spread)) for number in numbers}
+    return {number.name: deviation(number, spread, WORDS) for number in numbers}
 
 
-def _ends(scene: Scene, number: FreeNumber, given: tuple[Any, ...]) -> list[float]:
+def _ends(keys: FreeKeys, number: FreeNumber, given: tuple[Any, ...]) -> list[float]:
     """Both ends [SI], each a value that the spec could have."""
-    keys, found = FreeKeys(scene, [number.name]), [_end(number, end) for end in given]
+    found, place = [_end(number, end) for end in given], keys.names.index(number.name)
     for end in found:
+        values = keys.values
+        values[place] = end
         try:
-            keys.validated([end])
+            keys.validated(values)
         except SpecError as error:
             message = f"a range has values that are possible: {error.faults[0].message}"
             raise SpecError([Fault(message, number.name)]) from None
@@ -94,6 +106,7 @@ def _end(number: FreeNumber, given: Any) -> float:
 
 
 def _rms(number: FreeNumber, low: float, high: float) -> float:
+    """Root mean square distance from the value, of numbers spread evenly between two ends."""
     unit = "" if number.unit == "1" else f" {number.unit}"
     if not low < high:
         message = f"a range ascends; got [{low:g}, {high:g}]{unit}"

@@ -43,16 +43,16 @@ def deviations(
     given = choices_of(tolerances, words.form)
     if not given:
         raise SpecError.plain(f"no {words.noun} is given; {words.form}")
-    numbers = {key: FreeKeys(scene, [key]).numbers for key in given}
-    FreeKeys(scene, list(given))  # refuses keys that overlap
+    own = zip(given.values(), FreeKeys(scene, list(given)).numbers_of, strict=True)
     return {
-        number.name: _deviation(number, given[key], words)
-        for key in given
-        for number in numbers[key]
+        number.name: deviation(number, spread, words)
+        for spread, numbers in own
+        for number in numbers
     }
 
 
-def _deviation(number: FreeNumber, given: Any, words: SpreadWords) -> float:
+def deviation(number: FreeNumber, given: Any, words: SpreadWords) -> float:
+    """One standard deviation [SI] as it is given of a number. Raises `SpecError`."""
     unit = _unit_of(number.name, given, words)
     is_part = unit in ("", "%")
     kind = QuantityKind(words.noun, "1" if is_part else number.unit, "5 %")

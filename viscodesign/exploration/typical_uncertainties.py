@@ -7,6 +7,7 @@ are used.
 
 from __future__ import annotations
 
+from viscodesign.compiled.free_keys import EVERY, TUBE_SIZES
 from viscodesign.scene.scene import Scene
 
 TYPICAL = {
@@ -36,7 +37,12 @@ TYPICAL = {
 
 
 def typical_of(scene: Scene, stated: set[str]) -> dict[str, str]:
-    """Those of the coefficients that a scene has and does not state."""
+    """Those of the coefficients that a scene has and does not state.
+
+    Who states a size of all tubes, one by one, states that of the tubes.
+    """
+    sizes = {f"network.tubes[{EVERY}].{size}": f"network.tube_{size}" for size in TUBE_SIZES}
+    stated = stated | {shared for each, shared in sizes.items() if each in stated}
     network, actuator = scene.network, scene.actuator
     absent = {
         "network.tube_length": network.tube_length is None,

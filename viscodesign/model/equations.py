@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from contextlib import AbstractContextManager
 from dataclasses import fields
-from typing import Concatenate, ParamSpec
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import casadi as ca
 import numpy as np
@@ -21,11 +21,12 @@ from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
 P = ParamSpec("P")
+Made = TypeVar("Made")
 
 LEADING_QUANTITIES = 6
 """Results of `formulas.quantities` before the sizes of the unknowns."""
 MAX_COMPILED = 20
-"""Functions that are kept with each structure."""
+"""Functions that are kept with each structure, and as many other things that are made of it."""
 
 
 class SharedFormulas:
@@ -42,6 +43,7 @@ class SharedFormulas:
         self._local: LruCache[LocalEquations | None] = LruCache(1)
         self._compiled: LruCache[ca.Function] = LruCache(MAX_COMPILED)
         self._taped: LruCache[TapedFunction] = LruCache(MAX_COMPILED)
+        self._derived: LruCache[Any] = LruCache(MAX_COMPILED)
         self.layout = store.layout(lambda: self.formulas.layout)
 
     @property
@@ -90,6 +92,14 @@ class SharedFormulas:
     ) -> AbstractContextManager[ca.Function]:
         """The same for a stateful result, which is used exclusively inside the context."""
         return self._compiled.lend((make, args), lambda: make(self.formulas, *args))  # type: ignore[call-arg]
+
+    def derived(self, kind: type[Made], key: Hashable, make: Callable[[], Made]) -> Made:
+        """What ``make`` gives, made once for every ``key``.
+
+        It must be stateless, and depend on nothing but these formulas and the key.
+        """
+        found: Made = self._derived.get((kind, key), make)
+        return found
 
     def with_numbers(self, values: np.ndarray) -> Equations:
         """The equations of a scene with these parameter values."""

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, Literal
 
 from pydantic import Field, model_serializer, model_validator
 
 from viscodesign.errors import described, not_among
-from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, raise_faults
+from viscodesign.scene.spec_part import KeyFault, KeyPath, SpecPart, invalid, raise_faults
 
 TYPICAL: Literal["typical"] = "typical"
 NONE: Literal["none"] = "none"
 OTHERS = "others"
-FORM = "write a standard deviation, such as 5 % or 0.01 mm, or a range [low, high]"
+ALLOWED = "a standard deviation, such as 5 % or 0.01 mm, or a range [low, high]"
+FORM = f"write {ALLOWED}"
 
 Spread = str | tuple[str | float, str | float]
 """A standard deviation as text, or both ends of a range."""
@@ -42,8 +43,9 @@ class Uncertainty(SpecPart):
         if not isinstance(given, dict):
             choices = f"{TYPICAL}, {NONE} or a mapping of key: 5 %"
             raise invalid(f"must be {choices}; got {described(given)}")
-        flat = dict(_flat(given))
-        raise_faults(_faults(flat))
+        written = list(_flat(given, ()))
+        raise_faults(_faults(written))
+        flat = {".".join(path): own for path, own in written}
         others = flat.pop(OTHERS, NONE)
         return {"spreads": {key: _spread(own) for key, own in flat.items()}, "others": others}
 
@@ -59,12 +61,12 @@ class Uncertainty(SpecPart):
                 **others}  # fmt: skip
 
 
-def _flat(given: Mapping[Any, Any], path: str = "") -> Iterator[tuple[str, Any]]:
-    """What is given by dotted keys, whether these are written dotted or nested."""
+def _flat(given: Mapping[Any, Any], path: KeyPath) -> Iterator[tuple[KeyPath, Any]]:
+    """What is given by keys as they are written, dotted or nested."""
     for key, own in given.items():
-        place = f"{path}{key}"
+        place = (*path, str(key))
         if isinstance(own, dict):
-            yield from _flat(own, f"{place}.")
+            yield from _flat(own, place)
         else:
             yield place, own
 
@@ -73,16 +75,17 @@ def _spread(given: Any) -> Spread:
     return tuple(given) if isinstance(given, list) else given
 
 
-def _faults(flat: Mapping[str, Any]) -> Iterator[KeyFault]:
-    for key, own in flat.items():
-        if key == OTHERS:
+def _faults(written: Iterable[tuple[KeyPath, Any]]) -> Iterator[KeyFault]:
+    for path, own in written:
+        if path == (OTHERS,):
             if own not in (TYPICAL, NONE):
-                yield KeyFault((key,), not_among(own, (TYPICAL, NONE)))
+                yield KeyFault(path, not_among(own, (TYPICAL, NONE)), f"{TYPICAL} or {NONE}")
         elif isinstance(own, (list, tuple)):
             if len(own) != 2 or not all(_is_value(end) for end in own):
-                yield KeyFault((key,), f"a range has two ends, [low, high]; got {described(own)}")
+                message = f"a range has two ends, [low, high]; got {described(own)}"
+                yield KeyFault(path, message, ALLOWED)
         elif not isinstance(own, str):
-            yield KeyFault((key,), f"{FORM}; got {described(own)}")
+            yield KeyFault(path, f"{FORM}; got {described(own)}", ALLOWED)
 
 
 def _is_value(given: Any) -> bool:

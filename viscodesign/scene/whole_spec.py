@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import re
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import field, replace
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
@@ -65,10 +66,23 @@ Accuracy = Annotated[Fraction, Field(ge=LEAST_ACCURACY, le=0.2)]
 
 @dataclass(frozen=True)
 class Provenance:
-    """The file that a scene was read from."""
+    """The file that a scene was read from. It equals another whatever the lines of its keys."""
 
     file: str = ""
     sha256: str = ""
+    places: Mapping[str, tuple[str, int | None]] = field(
+        default_factory=dict, compare=False, repr=False
+    )
+    """File and line of the keys that were given, by their dotted paths; an override instead of a
+    line."""
+
+    def place(self, key: str) -> tuple[str, int | None]:
+        """File and line of a key, or of the nearest one that holds it."""
+        while key:
+            if key in self.places:
+                return self.places[key]
+            key = key.rpartition(".")[0]
+        return self.file, None
 
 
 class WholeSpec(SpecPart):

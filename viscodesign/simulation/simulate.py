@@ -27,7 +27,7 @@ from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
 from viscodesign.simulation.path_to_event import with_path_to_event
 from viscodesign.simulation.solve_once import (
-    ProblemStore,
+    KEPT_PROBLEMS,
     Progress,
     Run,
     Workspace,
@@ -35,9 +35,6 @@ from viscodesign.simulation.solve_once import (
 )
 from viscodesign.simulation.stopwatch import Stopwatch
 from viscodesign.storage.disk_arrays import ArrayStore
-
-_PROBLEMS = ProblemStore(16)
-"""Those of the latest scenes, for the next run of an equal one."""
 
 
 def simulate(
@@ -88,7 +85,7 @@ def _simulated(
     """The trajectory, as far as it came before an interrupt."""
     watch = Stopwatch()
     with watch("choose"):
-        quantities, workspace = quantities_of(scene), Workspace(ArrayStore(scratch), _PROBLEMS)
+        quantities, workspace = quantities_of(scene), Workspace(ArrayStore(scratch), KEPT_PROBLEMS)
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.active)

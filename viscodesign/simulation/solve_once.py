@@ -98,6 +98,8 @@ class ProblemStore:
         )
 
 
+KEPT_PROBLEMS = ProblemStore(16)
+"""Those of the latest scenes, for the next run or function of an equal one."""
 MAX_PROBLEMS = 128
 """Problems of one scene: every mesh and set of effects that a study has."""
 

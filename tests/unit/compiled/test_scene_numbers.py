@@ -6,7 +6,6 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 from typing import ClassVar, Self
 
 import casadi as ca
@@ -339,8 +338,7 @@ class RigidTipSpring(TipSpring):
 def with_effect(kind: type[Effect], *free: str) -> SceneNumbers:
     here = small()
     chosen = [*here.effects(here.quantities), kind.of(here.quantities)]
-    selection = SimpleNamespace(effects=chosen, active=here.selection.active)
-    return SceneNumbers(here.quantities, selection, here.settings, free)  # type: ignore[arg-type]
+    return SceneNumbers(here.quantities, chosen, here.settings, free)
 
 
 def test_a_new_effect_brings_its_own_parameters() -> None:

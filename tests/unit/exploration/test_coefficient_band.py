@@ -14,7 +14,7 @@ from tests.scenes import LEG_EI, LEG_LENGTH, STILL, leg
 from viscodesign import RunInterruptedError, Trajectory, check, load, simulate
 from viscodesign.cli.texts.run_text import both_errors, summary_lines
 from viscodesign.compiled.function import CompiledFunction
-from viscodesign.errors import SpecError
+from viscodesign.errors import Fault, SpecError
 from viscodesign.exploration import coefficient_band as band_module
 from viscodesign.exploration.stated_uncertainty import stated_deviations
 from viscodesign.exploration.typical_uncertainties import TYPICAL
@@ -191,6 +191,57 @@ def test_what_is_no_uncertainty_is_refused_before_anything_is_solved(
         with pytest.raises(SpecError) as caught:
             takes(leg(f"uncertainty={words}"))
         assert message in str(caught.value)
+
+
+UNKNOWN = """
+uncertainty:
+  network:
+    tube_radus: 5 %
+  network.tube_radius: 2 %
+"""
+IMPOSSIBLE = """
+uncertainty:
+  actuator.length: [90 mm, 100 mm]
+  "network.tubes[*].length": 2 kg
+"""
+SHAPELESS = """
+uncertainty:
+  network:
+    tube_length: 5
+"""
+
+
+def test_its_errors_name_file_and_line_what_was_given_and_what_is_allowed(tmp_path: Path) -> None:
+    spec, plain = tmp_path / "leg.yaml", resolved_yaml(leg()).rstrip()
+    first = len(plain.splitlines()) + 1
+
+    def faults(text: str, *words: str) -> list[Fault]:
+        spec.write_text(plain + text)
+        with pytest.raises(SpecError) as caught:
+            check(load(spec, words))
+        return caught.value.faults
+
+    (unknown,) = faults(UNKNOWN)
+    assert (unknown.file, unknown.line) == (str(spec), first + 2)
+    assert (unknown.key, unknown.given) == ("uncertainty.network.tube_radus", "5 %")
+    assert "did you mean 'network.tube_radius'" in unknown.message
+    assert "a standard deviation" in unknown.allowed
+    wrong = faults(IMPOSSIBLE)
+    assert {own.line for own in wrong} == {first + 1, first + 2}
+    assert {own.file for own in wrong} == {str(spec)}
+    assert wrong[0].given == ["90 mm", "100 mm"]
+    (shapeless,) = faults(SHAPELESS)
+    assert (shapeless.line, shapeless.given) == (first + 2, 5)
+    override = "uncertainty={run.duration: 5 %}"
+    (instead,) = faults(IMPOSSIBLE, override)
+    assert (instead.file, instead.line) == (f"--set {override}", None)
+
+
+def test_sizes_of_all_tubes_that_are_stated_one_by_one_are_not_assumed_as_well() -> None:
+    words = "uncertainty={'network.tubes[*].radius': 2 %, others: typical}"
+    stated = stated_deviations(leg(words))
+    assert "network.tube_radius" not in stated
+    assert not stated["network.tubes[inlet-R1].radius"].assumed
 
 
 def test_it_may_be_written_nested_and_is_written_resolved() -> None:

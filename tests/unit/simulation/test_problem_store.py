@@ -109,7 +109,7 @@ def test_what_was_defined_anew_is_not_answered_by_what_ran_before(
     before = simulate(LOADED, verify=False)
     change(monkeypatch)
     after = simulate(LOADED, verify=False)
-    monkeypatch.setattr(simulate_module, "_PROBLEMS", ProblemStore(1))
+    monkeypatch.setattr(simulate_module, "KEPT_PROBLEMS", ProblemStore(1))
     fresh = simulate(LOADED, verify=False)
     assert np.array_equal(after.tip, fresh.tip)
     assert not np.array_equal(after.tip, before.tip)

@@ -16,7 +16,7 @@ at once, so it is not used.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import field, replace
 from typing import Any
 
@@ -74,6 +74,23 @@ class Document:
             if path[:depth] in self.lines:
                 return self.file, self.lines[path[:depth]]
         return self.file, None
+
+    def places(
+        self, before: Mapping[str, tuple[str, int | None]]
+    ) -> dict[str, tuple[str, int | None]]:
+        """File and line of all keys by their dotted paths, but for entries of lists.
+
+        ``before``: those of a spec that this one changes.
+        """
+        found = dict(before)
+        for path, line in self.lines.items():
+            if not any(part.isdigit() for part in path):
+                found[".".join(path)] = self.file, line
+        for path, place in self.overrides.items():
+            key = ".".join(path)
+            found = {own: at for own, at in found.items() if not f"{own}.".startswith(f"{key}.")}
+            found[key] = place, None
+        return found
 
 
 def read_document(text: bytes, file: str) -> Document:

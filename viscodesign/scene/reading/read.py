@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
@@ -25,7 +26,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import VALID_FIELDS, KeyPath
 from viscodesign.scene.spec_version import version_problem
 from viscodesign.scene.table_file import FILE_KEYS
-from viscodesign.scene.whole_spec import Provenance
+from viscodesign.scene.whole_spec import Provenance, WholeSpec
 
 IGNORED_PREFIX = "x-"
 """How top-level keys begin that a spec keeps for itself, such as values that anchors name."""
@@ -81,7 +82,7 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
         raise SpecError(in_order([*document.faults, *faults])) from None
     if document.faults:
         raise SpecError(in_order(document.faults))
-    return scene.with_source(spec.provenance or _resolved_only(scene))
+    return with_provenance(scene, spec)
 
 
 def read_keys(document: Document) -> dict[str, Any]:
@@ -89,9 +90,18 @@ def read_keys(document: Document) -> dict[str, Any]:
     return {k: v for k, v in document.data.items() if not k.startswith(IGNORED_PREFIX)}
 
 
-def _resolved_only(scene: Scene) -> Provenance:
-    """Provenance of a scene that no file has: the resolved spec is the first text of it."""
-    return Provenance("", resolved_sha256(scene))
+SpecT = TypeVar("SpecT", bound=WholeSpec)
+
+
+def with_provenance(scene: SpecT, spec: ReadSpec) -> SpecT:
+    """A scene with what it was read from, and where its keys stand there.
+
+    Of a scene that no file has, the resolved spec is the first text.
+    """
+    source = spec.provenance
+    if source is None:
+        source = Provenance("", resolved_sha256(scene) if isinstance(scene, Scene) else "")
+    return scene.with_source(replace(source, places=spec.document.places(source.places)))
 
 
 def refuse_other_version(document: Document) -> None:

@@ -16,6 +16,7 @@ from viscodesign.scene.reading.read import (
     in_order,
     read_keys,
     refuse_other_version,
+    with_provenance,
 )
 from viscodesign.scene.reading.sources import ReadSpec
 from viscodesign.scene.robot_scene import RobotScene
@@ -39,8 +40,7 @@ def robot_of(
         file, _ = spec.document.place((ROBOT_KEY,))
         message = f"not a robot: no key '{ROBOT_KEY}'; {_INSTEAD}"
         raise SpecError([Fault(message, file=file)])
-    found = read_as(RobotScene, spec, overrides, known)
-    return found if spec.provenance is None else found.with_source(spec.provenance)
+    return with_provenance(read_as(RobotScene, spec, overrides, known), spec)
 
 
 PartT = TypeVar("PartT", bound=SpecPart)

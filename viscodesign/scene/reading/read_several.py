@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from viscodesign.scene.reading.read import ACTUATORS_KEY, ROBOT_KEY, KnownEffects, Overrides
+from viscodesign.scene.reading.read import (
+    ACTUATORS_KEY,
+    ROBOT_KEY,
+    KnownEffects,
+    Overrides,
+    with_provenance,
+)
 from viscodesign.scene.reading.read_robot import read_as
 from viscodesign.scene.reading.sources import ReadSpec
 from viscodesign.scene.several_scene import SeveralScene
@@ -17,5 +23,4 @@ def several_of(
     spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | None = None
 ) -> SeveralScene:
     """The actuators of a spec with some keys overridden. Raises `SpecError` with all faults."""
-    found = read_as(SeveralScene, spec, overrides, known)
-    return found if spec.provenance is None else found.with_source(spec.provenance)
+    return with_provenance(read_as(SeveralScene, spec, overrides, known), spec)
