@@ -7,26 +7,90 @@ from collections.abc import Callable, Iterable, Iterator
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.graph import Graph
+from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
+from viscodesign.results.motion_arrays import MotionArrays
+from viscodesign.storage.cached_property import cached_property
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MotionBlock:
-    """Consecutive outputs of a run: T times, B bellows, Q tubes, S sections."""
+    """Consecutive outputs of a run, each quantity read or computed when it is first asked for.
 
-    time: np.ndarray
-    pressure: np.ndarray
-    """(T, B) gauge [Pa]."""
-    volume: np.ndarray
-    """(T, B) [m3]."""
-    flow: np.ndarray
-    """(T, Q) [m3/s]."""
-    tube_pressure: np.ndarray
-    """(T, Q) lower gauge pressure of each tube's ends [Pa]."""
-    section_stretch: np.ndarray
-    """(T, S) smallest total stretch of each section [1]."""
-    section_turn: np.ndarray
-    """(T, S) angle that each section turns [rad]."""
+    T times, B bellows, Q tubes, S sections. Any array of a motion is an item, such as
+    ``block["contact_gap"]`` (T, c); those that limits ask for most are attributes.
+    """
+
+    motion: MotionArrays
+    """The whole run, of one rod."""
+    rows: slice
+    """Which of its outputs are those of the block."""
+    graph: Graph
+    inlets: tuple[str, ...]
+    """Names of the inlets, in the order of their pressures."""
+
+    def __getitem__(self, quantity: str) -> np.ndarray:
+        return np.asarray(self.motion[quantity][self.rows])
+
+    @property
+    def time(self) -> np.ndarray:
+        """(T,) [s]."""
+        return self["time"]
+
+    @property
+    def tip(self) -> np.ndarray:
+        """(T, 3): x [m], z [m], angle from +z [rad]."""
+        return self["tip"]
+
+    @cached_property
+    def tip_velocity(self) -> np.ndarray:
+        """(T, 3): rates of the same [m/s, m/s, rad/s].
+
+        Means over the two intervals beside an output, so that none is above the largest rate in
+        them; 0 of a single output.
+        """
+        first, stop, _ = self.rows.indices(len(self.motion.time))
+        known = slice(max(first - 1, 0), stop + 1)
+        time, tip = self.motion.time[known], self.motion.tip[known]
+        rates = np.gradient(tip, time, axis=0) if len(time) > 1 else np.zeros(tip.shape)
+        return np.asarray(rates[first - known.start :][: stop - first])
+
+    @property
+    def tip_speed(self) -> np.ndarray:
+        """(T,) [m/s]."""
+        return np.asarray(np.hypot(*self.tip_velocity[:, :2].T))
+
+    @property
+    def pressure(self) -> np.ndarray:
+        """(T, B) gauge [Pa]."""
+        return self["pressure"]
+
+    @property
+    def volume(self) -> np.ndarray:
+        """(T, B) [m3]."""
+        return self["volume"]
+
+    @property
+    def flow(self) -> np.ndarray:
+        """(T, Q) [m3/s]."""
+        return self["flow"]
+
+    @cached_property
+    def tube_pressure(self) -> np.ndarray:
+        """(T, Q) lower gauge pressure of each tube's ends [Pa]."""
+        ends = end_pressures(self.graph, self.motion, self.inlets, self.rows)
+        return np.asarray(np.minimum(*ends))
+
+    @property
+    def section_stretch(self) -> np.ndarray:
+        """(T, S) smallest total stretch of each section [1]."""
+        return self["section_stretch"]
+
+    @property
+    def section_turn(self) -> np.ndarray:
+        """(T, S) angle that each section turns [rad]."""
+        return self["section_turn"]
 
 
 class Peak:
@@ -56,7 +120,7 @@ class Limit:
     """A bound of the model's validity, and the warning of a run that exceeds it."""
 
     values: Callable[[MotionBlock], np.ndarray]
-    """Quantity of the motion that the bound is for (T, n)."""
+    """Quantity of the motion that the bound is for (T,) or (T, n)."""
     bound: float
     notice: Callable[[Peak], Notice]
     """The warning, for the worst place and time of the run."""
@@ -73,7 +137,8 @@ def limit_notices(limits: Iterable[Limit], blocks: Iterable[MotionBlock]) -> Ite
     peaks = [(limit, Peak()) for limit in limits]
     for block in blocks:
         for limit, peak in peaks if block.time.size else ():
-            peak.update(block.time, limit.values(block))
+            values = limit.values(block)
+            peak.update(block.time, values.reshape(len(values), -1))
     for limit, peak in peaks:
         if limit.is_exceeded(peak):
             yield limit.notice(peak)

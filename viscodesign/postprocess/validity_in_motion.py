@@ -23,9 +23,7 @@ def model_limits(quantities: SceneQuantities) -> Iterator[Limit]:
     yield _vacuum(quantities)
     yield from _strains()
     yield _self_contact(quantities)
-    yield Limit(
-        lambda block: np.abs(block.section_turn.sum(axis=1))[:, None], 2 * np.pi, _full_turn
-    )
+    yield Limit(lambda block: np.abs(block.section_turn.sum(axis=1)), 2 * np.pi, _full_turn)
 
 
 def _vacuum(quantities: SceneQuantities) -> Limit:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-import numpy as np
-
 from viscodesign._version import __version__
 from viscodesign.checks.classify import classification
 from viscodesign.checks.motion_warnings import motion_notices
@@ -17,7 +15,6 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import MotionBlock
 from viscodesign.postprocess.terminations import doubted_balance
-from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
 from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.provenance import provenance
@@ -101,17 +98,9 @@ def _start_notices(quantities: SceneQuantities, selection: Selection, run: Run) 
 
 def motion_blocks(quantities: SceneQuantities, motion: MotionArrays) -> Iterator[MotionBlock]:
     """A motion in blocks, for the limits of its model."""
-    graph, names = quantities.graph, tuple(quantities.scene.inputs)
+    inlets = tuple(quantities.scene.inputs)
     for rows in blocks(len(motion.time), *motion.arrays.values()):
-        yield MotionBlock(
-            motion.time[rows],
-            motion.pressure[rows],
-            motion.volume[rows],
-            motion.flow[rows],
-            np.minimum(*end_pressures(graph, motion, names, rows)),
-            motion["section_stretch"][rows],
-            motion["section_turn"][rows],
-        )
+        yield MotionBlock(motion, rows, quantities.graph, inlets)
 
 
 def _thinned_shapes(motion: Motion) -> Iterator[Notice]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,8 +17,9 @@ from viscodesign.checks.scene_warnings import scene_notices
 from viscodesign.effects.gas_compressibility import CHOKING_MACH
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
-from viscodesign.postprocess.motion_limits import MotionBlock
+from viscodesign.postprocess.motion_limits import Limit, MotionBlock, limit_notices
 from viscodesign.results.findings import Notice
+from viscodesign.results.motion_arrays import MotionArrays
 
 TIME = np.array([0.0, 0.5, 1.0])
 AMBIENT = 101325.0
@@ -40,16 +42,21 @@ def course(scene: SceneQuantities, **changes: Any) -> MotionBlock:
     """A run in which nothing happens, but for what is changed."""
     graph, rest = scene.graph, scene.bellow.rest_volume
     shape, flows = (len(TIME), len(graph.bellows)), (len(TIME), len(graph.tubes))
-    calm = {
+    told = {
         "time": TIME,
+        "tip": np.tile([0.0, scene.body.length, 0.0], (len(TIME), 1)),
         "pressure": np.zeros(shape),
         "volume": np.full(shape, rest),
         "flow": np.zeros(flows),
         "tube_pressure": np.zeros(flows),
         "section_stretch": np.ones((len(TIME), graph.sections)),
         "section_turn": np.zeros((len(TIME), graph.sections)),
+        **changes,
     }
-    return MotionBlock(**{**calm, **changes})
+    motion = MotionArrays(arrays=told, arc=np.zeros(0))
+    block = MotionBlock(motion, slice(None), graph, tuple(scene.scene.inputs))
+    vars(block)["tube_pressure"] = told["tube_pressure"]  # which the pressures would say
+    return block
 
 
 def at(scene: SceneQuantities, what: str, when: int, place: int, value: float) -> MotionBlock:
@@ -83,6 +90,47 @@ def test_a_run_that_ended_before_its_first_output_has_nothing_to_tell() -> None:
     scene = quantities()
     nothing = course(scene, time=np.zeros(0), pressure=np.zeros((0, 4)))
     assert notices(scene, nothing) == []
+
+
+@pytest.mark.parametrize("rows", [1, 2, 3, 50])
+def test_the_rates_of_the_tip_are_the_same_in_blocks_of_any_size(rows: int) -> None:
+    """Second-order differences, exact for a parabola within the run, to first order at its ends."""
+    time = np.array([0.0, 0.1, 0.3, 0.4, 0.8, 1.0, 1.1])
+    tip = np.column_stack([0.3 * time**2, 0.1 - 0.4 * time**2, time])
+    motion = MotionArrays(arrays={"time": time, "tip": tip}, arc=np.zeros(0))
+    graph = quantities().graph
+    met = [
+        MotionBlock(motion, slice(k, min(k + rows, len(time))), graph, ("inlet",))
+        for k in range(0, len(time), rows)
+    ]
+    rates = np.concatenate([block.tip_velocity for block in met])
+    assert rates[1:-1] == pytest.approx(np.column_stack([0.6 * time, -0.8 * time, time**0])[1:-1])
+    speed = np.concatenate([block.tip_speed for block in met])
+    assert speed[1:-1] == pytest.approx(time[1:-1])
+    assert speed[[0, -1]] == pytest.approx([0.05, 1.05])
+    assert np.concatenate([block["tip"] for block in met]) == pytest.approx(tip)
+
+
+def test_the_tip_of_a_single_output_has_no_speed() -> None:
+    scene = quantities()
+    met = course(scene, time=TIME[:1], tip=np.array([[0.0, 0.1, 0.0]]))
+    assert met.tip_speed.tolist() == [0.0]
+
+
+def test_a_limit_may_be_one_of_the_tip() -> None:
+    tip = np.array([[0.0, 0.1, 0.0], [0.01, 0.1, 0.0], [0.05, 0.1, 0.1]])
+    met = course(quantities(), tip=tip)
+
+    def told(
+        values: Callable[[MotionBlock], np.ndarray], bound: float
+    ) -> list[tuple[float, float]]:
+        limit = Limit(values, bound, lambda peak: Notice("far", f"{peak.value}", "", peak.time_s))
+        return [(float(n.message), n.time_s or 0.0) for n in limit_notices([limit], [met])]
+
+    assert told(lambda block: block.tip[:, 0], 0.04) == [(0.05, 1.0)]
+    assert told(lambda block: block.tip[:, 0], 0.06) == []
+    assert told(lambda block: block.tip_speed, 0.07) == [(pytest.approx(0.08), 1.0)]
+    assert told(lambda block: np.abs(block.tip_velocity[:, 2:]), 0.3) == []
 
 
 def test_a_bellow_far_beyond_its_rest_volume_is_reported_with_size_and_place() -> None:
