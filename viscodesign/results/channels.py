@@ -93,6 +93,9 @@ class Channel:
     """Files of a run that have it."""
     read: Read | None = None
     """How to read it, where that is not the array of its name."""
+    plotted: bool = False
+    """Whether the page of a run plots it over time, in a panel of its own. It is then in
+    `trajectory.csv`, of which the page is made again."""
 
     @property
     def unit_words(self) -> str:
@@ -103,8 +106,12 @@ class Channel:
     def label(self) -> str:
         """What an axis of a picture says, with the unit it is drawn in."""
         reference = f"{self.reference} " if self.reference else ""
-        unit, _ = PICTURE_UNITS.get(self.unit, (self.unit, 1.0))
-        return f"{reference}{self.title} [{unit}]"
+        return f"{reference}{self.title} [{self.picture_unit[0]}]"
+
+    @property
+    def picture_unit(self) -> tuple[str, float]:
+        """The unit that pictures show, and how many of these the SI unit is."""
+        return PICTURE_UNITS.get(self.unit, (self.unit, 1.0))
 
     @property
     def names(self) -> str:
@@ -161,17 +168,17 @@ CHANNELS: tuple[Channel, ...] = (
         "force with which the ground pushes a point of the actuator away; zero where they do not "
         "touch. Without a ground there is no such column, and with a single point its name is "
         "left out",
-        Per.CONTACT, tables=(TRAJECTORY,),
+        Per.CONTACT, tables=(TRAJECTORY,), plotted=True,
     ),
     Channel(
         "contact_tangential", "N", "force of friction",
         "force of friction on a point of the actuator: towards +x on a ground that pushes towards "
         "+z, and turned with it",
-        Per.CONTACT, tables=(TRAJECTORY,),
+        Per.CONTACT, tables=(TRAJECTORY,), plotted=True,
     ),
     Channel(
         "contact_gap", "m", "gap", "distance of a point of the actuator from the ground",
-        Per.CONTACT, tables=(TRAJECTORY,),
+        Per.CONTACT, tables=(TRAJECTORY,), plotted=True,
     ),
     Channel(
         "arc", "m", "arc length", "distance from the clamp along the unstrained axis",
@@ -210,6 +217,11 @@ def channel(quantity: str) -> Channel:
 def channels_of(table: str) -> list[Channel]:
     """The quantities of a file, in order."""
     return [row for row in CHANNELS if table in row.tables]
+
+
+def plotted_channels(trajectory: NamedArrays) -> list[Channel]:
+    """The quantities that have a panel of their own on the page of this run."""
+    return [row for row in CHANNELS if row.plotted and row.columns(trajectory)]
 
 
 def columns_of(

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import base64
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.scenes import ROOT, leg
+from tests.scenes import CONFIGS, ROOT, leg
 from tests.trajectories import made_run, with_two_inlets
 from viscodesign import simulate
 from viscodesign.postprocess import motion
 from viscodesign.postprocess.outputs import Outputs
+from viscodesign.report.page.page_data import page_data
 from viscodesign.report.run_folder import write_run
 from viscodesign.results import channels
 from viscodesign.results.channels import (
@@ -90,6 +93,33 @@ def test_what_follows_from_other_quantities_is_one_row(
     write_run(run, tmp_path, plots=False)
     assert header(tmp_path / TRAJECTORY)[-1] == "tip_speed_m_s"
     assert ("`tip_speed_m_s`", "speed", "m/s", TRAJECTORY) in channel_table()
+
+
+def test_a_plotted_quantity_has_its_panel_on_the_page(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Of the run or of several members, in the unit of pictures; also of a run that is read."""
+    mean = Channel("tip_speed", "m/s", "speed of the tip", "speed", tables=(TRAJECTORY,),
+                   read=speed, plotted=True)  # fmt: skip
+    add(monkeypatch, mean, replace(channel("pressure"), plotted=True))
+    run = made_run(spec_text=(CONFIGS / "leg_16_straight_air.yaml").read_text(encoding="utf-8"))
+    found = {own["title"]: own for own in page_data(run)["quantities"]}
+    assert list(found) == ["speed of the tip", "pressure"]
+    assert found["speed of the tip"]["names"] == ["speed of the tip"]
+    assert found["speed of the tip"]["unit"] == "m/s"
+    assert found["pressure"]["names"] == list(run.bellows)
+    assert found["pressure"]["unit"] == "kPa gauge"
+    packed = found["pressure"]["values"]
+    values = np.frombuffer(base64.b64decode(packed["bytes"]), "<f4").reshape(packed["shape"])
+    assert values == pytest.approx(run.pressure / 1e3, rel=1e-6, abs=1e-6)
+    write_run(run, tmp_path, plots=False)
+    again = Trajectory.read(tmp_path)
+    assert [own["title"] for own in page_data(again)["quantities"]] == list(found)
+
+
+def test_what_the_page_plots_is_in_the_table_that_it_is_made_of() -> None:
+    assert all(TRAJECTORY in row.tables for row in CHANNELS if row.plotted)
+    assert page_data(made_run())["quantities"] == []  # nothing touches
 
 
 def test_a_quantity_of_the_solution_is_a_row_and_where_it_is_computed(

@@ -17,6 +17,7 @@ from viscodesign.report.page.shown_rows import (
     shown_tubes,
 )
 from viscodesign.report.page.sketch_numbers import ground_of, scene_of, sketch_numbers, why_not
+from viscodesign.results.channels import Channel, Per, plotted_channels
 from viscodesign.results.coefficient_band import COVERAGE_FACTOR as ELLIPSE_FACTOR
 from viscodesign.results.coefficient_band import STILL_WORDS, why_no_band
 from viscodesign.results.trajectory import Trajectory
@@ -65,11 +66,24 @@ def _motion(run: Trajectory, scene: Scene | None) -> dict[str, Any]:
         "pressure": packed(rows_at(run.pressure, chosen.rows)),
         "flow": packed(rows_at(run.flow, chosen.rows)[:, tubes]),
         "tubes": [run.tubes[k] for k in tubes],
+        "quantities": [_quantity(row, run, chosen.rows) for row in plotted_channels(run)],
         "arc": packed(run.arc[shown_points(run)], "f8"),
         "shape": packed_coordinates(rows_at(run.shape, kept)[:, shown_points(run)]),
         "shape_of": packed(shape_of, "f8"),
         "band": _band(run, chosen),
         "sketch": _sketch(run, scene, chosen),
+    }
+
+
+def _quantity(row: Channel, run: Trajectory, rows: np.ndarray) -> dict[str, Any]:
+    """A quantity with a panel of its own: values (n, members) and what a picture says of them."""
+    unit, factor = row.picture_unit
+    values = row.values(run, rows)
+    return {
+        "title": row.title,
+        "unit": f"{unit} {row.reference}" if row.reference else unit,
+        "names": [row.title] if row.per is Per.RUN else list(run.members(row.per)),
+        "values": packed(factor * values.reshape(len(rows), -1)),
     }
 
 

@@ -16,7 +16,7 @@ SCRIPTS = (
     "several.js",
 )
 """In the order in which they run; those before the last only define functions."""
-OF_ONE = ("spec", "sketch", "band", "flow")
+OF_ONE = ("spec", "sketch", "band", "flow", "quantities")
 """Data of a run that its own page alone shows."""
 
 

@@ -56,6 +56,26 @@ def columns(file: Path) -> dict[str, np.ndarray]:
     return dict(zip(rows[0], np.array(rows[1:], dtype=float).T, strict=True))
 
 
+def test_quantities_without_a_place_of_their_own_have_a_panel_each(open_page: Open) -> None:
+    touched = replace(made_run(), contacts=("tip",))
+    swing = np.sin(touched.time)[:, None]
+    arrays = {
+        f"contact_{name}": k * swing for k, name in enumerate(("normal", "tangential", "gap"), 1)
+    }
+    page = open_page(touched.with_arrays(**arrays))
+    assert len(drawn(page, ".chart")) == 4 + 3
+    for (found, pixel), factor in zip(drawn(page, ".chart")[4:], (1.0, 2.0, 3e3), strict=True):
+        expected = touched.time, factor * swing[:, 0]
+        for curve, values, size in zip(found["tip"].T, expected, pixel, strict=True):
+            np.testing.assert_allclose(curve, values, rtol=1e-6, atol=ROUNDING * size)
+    lines = page.eval_on_selector_all("#instant th", "all => all.map(one => one.textContent)")
+    assert lines[-3:] == [
+        "normal force of contact, tip [N]",
+        "force of friction, tip [N]",
+        "gap, tip [mm]",
+    ]
+
+
 def test_what_is_drawn_is_the_table(open_page: Open, tmp_path: Path) -> None:
     run = made_run()
     write_run(run, tmp_path, plots=False, report=False)

@@ -153,7 +153,14 @@ function panelsOf(run) {
   if (some.length) panels.push({ title: "flow", unit: "mL/s", curves: some.map((k) => ({ name: run.tubes[k], ordered: true,
     values: column(run.flow, k).map((v) => 1e6 * v), colour: sectionColour(k, run.tubes.length) })),
     note: some.length < run.all_tubes.length ? `${some.length} of ${run.all_tubes.length} tubes are drawn` : "" });
-  return panels;
+  return [...panels, ...(run.quantities ?? []).map(quantityPanel)];
+}
+
+// The panel of a quantity that has no other place on the page.
+function quantityPanel({ title, unit, names, values }) {
+  const some = someOf(names.length);
+  return { title, unit, curves: some.map((k) => ({ name: names[k], ordered: true, values: column(values, k), colour: sectionColour(k, names.length) })),
+    note: some.length < names.length ? `${some.length} of ${names.length} are drawn` : "" };
 }
 
 function makeCharts(host, run, seekTime) {

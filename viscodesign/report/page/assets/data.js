@@ -43,6 +43,7 @@ const RUN_ARRAYS = ["rows", "time", "tip", "inlet_pressure", "pressure", "flow",
 function unpackedRun(run) {
   if (!run.time) return { ...run, count: 0 };
   for (const name of RUN_ARRAYS) if (run[name]) run[name] = unpacked(run[name]);
+  for (const quantity of run.quantities ?? []) quantity.values = unpacked(quantity.values);
   run.band = run.band && { ...run.band, covariance: unpacked(run.band.covariance) };
   run.count = run.time.values.length;
   run.sections = run.bellows.length / 2;

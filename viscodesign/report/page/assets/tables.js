@@ -163,6 +163,8 @@ function instantOf(run) {
     valueLine("tip angle [deg]", run.tip, 2, 180 / Math.PI, 2),
     ...run.inlets.map((name, k) => valueLine(`pressure, ${run.inlets.length > 1 ? `inlet ${name}` : "inlet"} [kPa]`, run.inlet_pressure, k, 1e-3, 3)),
     ...run.bellows.slice(0, MOST_LISTED).map((name, k) => valueLine(`pressure, ${name} [kPa]`, run.pressure, k, 1e-3, 3)),
-    ...run.tubes.map((name, k) => valueLine(`flow, ${name} [mL/s]`, run.flow, k, 1e6, 4))];
+    ...run.tubes.map((name, k) => valueLine(`flow, ${name} [mL/s]`, run.flow, k, 1e6, 4)),
+    ...(run.quantities ?? []).flatMap(({ title, unit, names, values }) => names.slice(0, MOST_LISTED).map((name, k) =>
+      valueLine(`${name === title ? title : `${title}, ${name}`} [${unit}]`, values, k, 1, 4)))];
   return makeInstant(lines, run.bellows.length > MOST_LISTED ? `The first ${MOST_LISTED} of ${run.bellows.length} bellows; all are in trajectory.csv.` : "");
 }
