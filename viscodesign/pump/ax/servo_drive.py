@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.ax.protocol.registers import COUNTS_PER_TURN, FULL, SPEED_UNIT
+from viscodesign.pump.ax.protocol.registers import COUNTS_PER_TURN, SPEED_UNIT, speed_register
 from viscodesign.pump.drive import Load, PlungerDrive
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.scene.pumps.servo_motor import SERVOS, ServoType
@@ -84,8 +84,8 @@ class ServoDrive(PlungerDrive):
         return 2 * math.pi * SPEED_UNIT * self.radius
 
     def speed_register(self, speed: float) -> int:
-        """Nearest value of Moving Speed for a plunger speed [m/s]; never 0, which is full speed."""
-        return min(max(round(abs(speed) / self.speed_step), 1), FULL)
+        """The value of Moving Speed that a stream would send for a plunger speed [m/s]."""
+        return speed_register(speed / (2 * math.pi * self.radius))
 
     def current(self, torque: Any) -> Any:
         r"""Current that a torque draws, without electronics [A]: :math:`I_s |\tau| / \tau_s`."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -209,5 +208,5 @@ def axis_limits(settings: ServoPumpSpec) -> AxisLimits:
 
 
 def speed_register(speed: float) -> int:
-    """Smallest value that is at least as fast [counts/s]; never 0, which is full speed."""
-    return min(max(math.ceil(speed / SLOWEST_SPEED), 1), registers.FULL)
+    """The value of Moving Speed for a speed of the servo [counts/s]."""
+    return registers.speed_register(speed / registers.COUNTS_PER_TURN)

@@ -101,4 +101,5 @@ def test_the_speed_register_is_never_zero() -> None:
     assert pump.speed_register(0.0) == 1
     assert pump.speed_register(-0.4 * unit) == 1
     assert pump.speed_register(300 * unit) == 300
+    assert pump.speed_register(300.1 * unit) == 301  # as a stream, which must not lag behind
     assert pump.speed_register(1e6 * pump.radius) == 1023

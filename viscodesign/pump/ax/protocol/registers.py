@@ -17,6 +17,16 @@ SPEED_UNIT = 0.111 / 60  # of the speed registers [turns/s]
 COUNTS_PER_TURN = 1024 * 360.0 / 300.0
 """1024 counts span 300 degrees (Goal Position)."""
 COUNT_ANGLE = 2 * math.pi / COUNTS_PER_TURN  # [rad]
+ROUNDING = 1e-9
+"""Part of a unit that a speed may be above a value by rounding alone."""
+
+
+def speed_register(speed: float) -> int:
+    """Smallest value of a speed register that is at least as fast [turns/s].
+
+    Never 0, which is full speed, and at most full speed.
+    """
+    return min(max(math.ceil(abs(speed) / SPEED_UNIT - ROUNDING), 1), FULL)
 
 
 @dataclass(frozen=True)
