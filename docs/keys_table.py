@@ -35,6 +35,11 @@ EXAMPLE_PATHS = {
 }
 """Mappings with names of their own, with one such name."""
 
+EFFECTS = (
+    "Names of effects, each with its mode, or with a mapping of `mode` and its own options where "
+    "it has some. A mode that is not stated is that of `others`."
+)
+
 Row = tuple[str, ...]
 Section = tuple[str, str, list[Row]]
 """Heading, what it is, and its keys."""
@@ -46,7 +51,7 @@ def sections() -> Iterator[Section]:
     for name, found in _top_level():
         for model in _models(found.annotation):
             if model is EffectsChoice:
-                yield "effects", "Names of effects, each with its mode.", _effect_rows()
+                yield "effects", EFFECTS, _effect_rows()
             elif model is Uncertainty:
                 yield name, _summary(model), _uncertainty_rows()
             elif issubclass(model, PumpSpec):
@@ -125,21 +130,17 @@ def _range(found: FieldInfo) -> str:
 
 def _effects_of(place: str) -> str:
     """Effects that read a key, or all below a section that they name."""
-    names = [
-        name
-        for name, effect in catalogue().items()
-        if any(place == key or place.startswith(f"{key}.") for key in effect.keys)
-    ]
+    names = [name for name, effect in catalogue().items() if effect.reads(place)]
     return ", ".join(f"`{name}`" for name in names)
 
 
 def _effect_rows() -> list[Row]:
     modes = "`auto`, `on`, `off`"
-    rows = [
-        (f"`effects.{name}`", (effect.__doc__ or "").strip().splitlines()[0], "", "`auto`", modes,
-         f"`{name}`")
-        for name, effect in catalogue().items()
-    ]  # fmt: skip
+    rows: list[Row] = []
+    for name, effect in catalogue().items():
+        what = (effect.__doc__ or "").strip().splitlines()[0]
+        rows.append((f"`effects.{name}`", what, "", "`auto`", modes, f"`{name}`"))
+        rows += _rows(f"effects.{name}", effect.options) if effect.options is not None else ()
     others = EffectsChoice.model_fields["others"].description or ""
     return [*rows, ("`effects.others`", others, "", "`auto`", modes, "")]
 

@@ -142,6 +142,23 @@ def test_there_is_no_wall_unless_the_spec_asks_for_it(installed: Installation) -
     assert not verdicts["wall"]["present"]
 
 
+def test_the_wall_stands_where_its_options_say(installed: Installation) -> None:
+    """And a run warns where the tip is too deep in it, by the effect's own limit."""
+    options = "effects.wall={mode: on, distance: 10 mm, stiffness: 0.1 N/mm, deepest: 1 mm}"
+    installed.motion("soft", options)
+    found = json.loads((installed.runs / "soft" / "summary.json").read_text())
+    (told,) = [own for own in found["warnings"] if own["code"] == "deep_in_wall"]
+    depth = found["metrics"]["tip_x_max_m"] - 0.01
+    assert f"{1e3 * depth:.3g} mm inside the wall" in told["message"]
+    assert "distance: 0.01 m" in (installed.runs / "soft" / "spec.yaml").read_text()
+    wrong = installed.python(
+        *("-m", "viscodesign", "check", str(CONFIGS / "steady_right.yaml")),
+        *("--set", "effects.wall.distance=3 kg"),
+    )
+    assert wrong.returncode == 2
+    assert "effects.wall.distance: '3 kg' is a mass; expected a length" in wrong.stderr
+
+
 def test_the_ramp_reaches_its_level_and_holds_it(free: pd.DataFrame) -> None:
     expected = LEVEL * np.minimum(free.time_s.to_numpy() / RAMP, 1.0)
     assert free.inlet_pressure_left_pa.to_numpy() == pytest.approx(expected, abs=1e-6)

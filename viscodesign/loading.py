@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from viscodesign.effects.catalogue import effect_names
+from viscodesign.effects.catalogue import effect_names, option_kinds
+from viscodesign.scene.effects_choice import KnownEffects
 from viscodesign.scene.reading.document import Document
 from viscodesign.scene.reading.json_schema import spec_schema
-from viscodesign.scene.reading.read import KnownEffects, Overrides, load_scene, scene_of
+from viscodesign.scene.reading.read import Overrides, load_scene, scene_of
 from viscodesign.scene.reading.read_robot import is_robot, robot_of
 from viscodesign.scene.reading.read_several import is_several, several_of
 from viscodesign.scene.reading.sources import ReadSpec, SpecSource, read_spec
@@ -20,8 +21,8 @@ from viscodesign.scene.several_scene import SeveralScene
 
 
 def known_effects() -> KnownEffects:
-    """Names that a spec may use under `effects:`."""
-    return KnownEffects(effect_names())
+    """Names and options that a spec may use under `effects:`."""
+    return KnownEffects(effect_names(), option_kinds())
 
 
 def load(source: SpecSource, overrides: Overrides = ()) -> Scene:

@@ -319,6 +319,7 @@ _KNOWN_DIMENSIONS = {
     "[mass] / [length] ** 3": "a density",
     "1 / [time]": "a frequency",
     "[length] / [time] ** 2": "an acceleration",
+    "[mass] / [time] ** 2": "a force per length",
     "[mass] / [length] / [time]": "a dynamic viscosity",
     "[current] * [time]": "a charge",
     "dimensionless": "a plain number",
@@ -355,6 +356,7 @@ AreaPerMoment = Annotated[float, QuantityKind("area per moment", "m^2/(N*m)", "1
 GasConstant = Annotated[float, QuantityKind("specific gas constant", "J/(kg*K)", "287 J/(kg*K)")]
 Volume = Annotated[float, QuantityKind("volume", "m^3", "5 mL")]
 PressureRate = Annotated[float, QuantityKind("pressure rate", "Pa/s", "50 kPa/s")]
+SpringStiffness = Annotated[float, QuantityKind("spring stiffness", "N/m", "500 N/m")]
 Speed = Annotated[float, QuantityKind("speed", "m/s", "5 mm/s")]
 Area = Annotated[float, QuantityKind("area", "m^2", "1e-5 m^2")]
 Voltage = Annotated[float, QuantityKind("voltage", "V", "11.1 V")]

@@ -16,7 +16,6 @@ from viscodesign.calibration.recorded_columns import KINDS
 from viscodesign.effects.allowed_sets import AllowedSets
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.mismatch import Mismatch
-from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
@@ -72,6 +71,6 @@ def worst_sample(residuals: np.ndarray) -> tuple[int, int]:
 
 def _forbidden_effects(scene: Scene) -> frozenset[str]:
     """Effects that the scene would have if its spec turned none off."""
-    free = copied(scene, {"effects": EffectsChoice.model_validate("auto")})
+    free = copied(scene, {"effects": scene.effects.with_modes({})})
     possible, allowed = (AllowedSets(SceneQuantities(own)).everything for own in (free, scene))
     return frozenset(possible - allowed)

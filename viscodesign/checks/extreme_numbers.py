@@ -6,21 +6,20 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.errors import Fault
+from viscodesign.scene.spec_part import SpecPart
 
 LARGEST = 1e50
 """Largest number in SI units, and largest inverse of one that must be positive: the fifth power is
 within double precision. What may be zero may be as small as it likes."""
 
 
-def extreme_numbers(part: BaseModel, path: str = "") -> Iterator[Fault]:
+def extreme_numbers(part: SpecPart, path: str = "") -> Iterator[Fault]:
     """A fault for every number of a part of a spec that is too large, or too close to zero."""
-    for name, field in type(part).model_fields.items():
-        key = f"{path}{field.alias or name}"
-        yield from _below(getattr(part, name), key, 1 / LARGEST if _is_positive(field) else 0.0)
+    for name, value, field in part.keyed_fields():
+        yield from _below(value, f"{path}{name}", 1 / LARGEST if _is_positive(field) else 0.0)
 
 
 def _is_positive(field: FieldInfo) -> bool:
@@ -28,12 +27,12 @@ def _is_positive(field: FieldInfo) -> bool:
 
 
 def _below(value: Any, key: str, least: float) -> Iterator[Fault]:
-    if isinstance(value, BaseModel):
+    if isinstance(value, SpecPart):
         yield from extreme_numbers(value, f"{key}.")
     elif isinstance(value, Mapping):
         for name, own in value.items():
             yield from _below(own, f"{key}.{name}", least)
-    elif isinstance(value, tuple) and value and isinstance(value[0], BaseModel):
+    elif isinstance(value, tuple) and value and isinstance(value[0], SpecPart):
         for k, own in enumerate(value):
             yield from _below(own, f"{key}[{k}]", least)
     elif isinstance(value, (float, tuple)):

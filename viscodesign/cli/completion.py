@@ -7,10 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from pydantic import BaseModel
 
 Offer = tuple[str, str]
 """A word and what it is."""
@@ -53,9 +49,14 @@ def override_keys(incomplete: str) -> list[Offer]:
 
 def spec_keys() -> Iterator[Offer]:
     """Every key of a spec that `--set` can name, with its meaning."""
+    from viscodesign.effects.catalogue import option_kinds
+    from viscodesign.scene.reading.field_lookup import fields_below
     from viscodesign.scene.scene import Scene
 
-    found = dict(_keys_below(Scene, ""))
+    fields = dict(fields_below(Scene, ""))
+    for name, options in option_kinds().items():
+        fields |= fields_below(options, f"effects.{name}.")
+    found = {key: field.description or "" for key, field in fields.items()}
     found |= {f"effects.{name}": text for name, text in _effects()}
     yield from found.items()
 
@@ -67,34 +68,21 @@ def _effects() -> Iterator[Offer]:
         yield name, " ".join((kind.__doc__ or name).partition("\n\n")[0].split())
 
 
-def _keys_below(model: type[BaseModel], above: str) -> Iterator[Offer]:
-    from viscodesign.scene.effects_choice import EffectsChoice
-
-    for name, found in model.model_fields.items():
-        key = f"{above}{found.alias or name}"
-        yield key, found.description or ""
-        for part in _models(found.annotation):
-            if part is not EffectsChoice:
-                yield from _keys_below(part, f"{key}.")
-
-
-def _models(annotation: Any) -> list[type[BaseModel]]:
-    """The parts of a spec that a field may hold."""
-    from pydantic import BaseModel
-
-    from viscodesign.scene.reading.field_lookup import alternatives
-
-    kinds = [kind for kind in alternatives(annotation) if isinstance(kind, type)]
-    return [kind for kind in kinds if issubclass(kind, BaseModel)]
-
-
 def _words_of(key: str) -> tuple[str, ...]:
     """The words that the value of a key may be; none where it is a number."""
-    if key == "effects" or key.startswith("effects."):
+    path = tuple(key.split("."))
+    is_of_effects = path[0] == "effects"
+    if is_of_effects and (len(path) < 3 or path[2] == "mode"):
         return MODES
     from viscodesign.scene.reading.allowed_values import words_at
+    from viscodesign.scene.reading.document import Document
 
-    return words_at(tuple(key.split(".")))
+    document = Document("")
+    if is_of_effects:
+        from viscodesign.loading import known_effects
+
+        document.effects = known_effects()
+    return words_at(path, document)
 
 
 def _beginning(incomplete: str, offers: Iterator[Offer]) -> list[Offer]:

@@ -70,6 +70,7 @@ def _document(kind: type[Effect]) -> dict[str, Any]:
         "source": kind.source,
         "references": [work.text for work in kind.references],
         "keys": _keys(kind),
+        "options": _options(kind),
         "needs": list(kind.needs),
         "follows_others": not kind.own_rule,
         "decision": _decision(kind),
@@ -83,7 +84,27 @@ def _paragraphs(kind: type[Effect]) -> list[str]:
 
 
 def _keys(kind: type[Effect]) -> list[str]:
-    return [f"effects.{kind.name}", *kind.keys]
+    return [f"effects.{kind.name}", *(option["key"] for option in _options(kind)), *kind.keys]
+
+
+def _options(kind: type[Effect]) -> list[dict[str, Any]]:
+    """Every key below that of the effect: what it means, its unit, default and range."""
+    from viscodesign.scene.reading.allowed_values import allowed_of
+    from viscodesign.scene.reading.field_lookup import fields_below, quantity_of
+
+    found = []
+    for key, field in fields_below(kind.options, f"effects.{kind.name}.") if kind.options else ():
+        quantity, default = quantity_of(field), field.get_default(call_default_factory=True)
+        found.append(
+            {
+                "key": key,
+                "meaning": field.description or "",
+                "unit": quantity.unit if quantity is not None else None,
+                "default": default if isinstance(default, bool | int | float | str) else None,
+                "allowed": allowed_of(field),
+            }
+        )
+    return found
 
 
 def _decision(kind: type[Effect]) -> str:
@@ -137,4 +158,14 @@ def _page(kind: type[Effect]) -> list[str]:
     lines = wrap(f"{kind.name}: {first}", hanging="  ")
     for paragraph in others:
         lines += wrap(paragraph, "  ")
-    return [*lines, "", *table([(word, fact) for word, fact in facts.items() if fact])]
+    rows = [(word, fact) for word, fact in facts.items() if fact]
+    return [*lines, "", *table(rows + [(o["key"], _option_words(o)) for o in _options(kind)])]
+
+
+def _option_words(option: Mapping[str, Any]) -> str:
+    """What an option means, what it may be, and its default."""
+    unit, default = option["unit"], option["default"]
+    number = f"{default:g}" if isinstance(default, float) else default
+    in_unit = f" {unit}" if unit not in (None, "1") else ""
+    words = [option["meaning"], option["allowed"]]
+    return "; ".join([*words, *([] if default is None else [f"default {number}{in_unit}"])])

@@ -17,7 +17,9 @@ from viscodesign.compiled.scene_fields import (
     replaced,
     table_fields,
 )
+from viscodesign.effects.catalogue import effect_names, with_default_options
 from viscodesign.errors import Fault, SpecError, did_you_mean
+from viscodesign.scene.effects_choice import EFFECTS, MODE
 from viscodesign.scene.fluid import Fluid
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import KeyPath, copied
@@ -32,7 +34,7 @@ FROZEN_SECTIONS = {
     "spec": "it is the version of the keys",
     "run": "times of the run and of its outputs stay as they are",
 }
-"""Keys of a spec below which nothing can be free, and why."""
+"""Keys of a spec below which nothing can be free, and why; but for options of effects."""
 FROZEN_FIELDS: dict[KeyPath, str] = {
     ("fluid", "fraction"): "the library of fluids has no derivatives; give viscosity and density",
     ("input", "transient_time"): "it decides only which effects are included",
@@ -70,8 +72,11 @@ class FreeKeys:
             raise SpecError.plain("a free key is empty; name a number, such as network.tube_length")
         _refuse_surroundings(scene, self.given)
         is_of_fluid = any(key.startswith("fluid.") for key in self.given)
-        self.scene = with_fluid_numbers(scene) if is_of_fluid else scene
-        """The scene, its fluid's numbers spelt out where one of them is free."""
+        own = with_fluid_numbers(scene) if is_of_fluid else scene
+        named = [path[1] for path in map(_parsed, self.given) if path[0] == EFFECTS and path[1:]]
+        self.scene = with_default_options(own, named)
+        """The scene with what it leaves unsaid spelt out where a number of it is free: the numbers
+        of its fluid, and options of effects."""
         self.numbers_of = self._all_expanded()
         """The numbers that each of the given keys stands for, in their order."""
         self.numbers = [number for own in self.numbers_of for number in own]
@@ -236,7 +241,7 @@ def over_one_period(scene: Scene) -> Scene:
 
 def candidates(scene: Scene) -> list[str]:
     """Keys of all numbers of a scene that are worth a try; tubes and rows all together."""
-    scene = with_fluid_numbers(scene)
+    scene = with_default_options(with_fluid_numbers(scene), effect_names())
     tables = [table for table in table_fields(scene) if not _frozen(table.path)]
     entries = {
         table.entry(k, c) for table in tables for k in range(table.count) for c in table.columns
@@ -278,6 +283,8 @@ def with_fluid_numbers(scene: Scene) -> Scene:
 
 def _frozen(path: KeyPath) -> str:
     """Why the number at a place cannot be free; empty where it may be."""
+    if path[0] == EFFECTS and len(path) > 2 and path[2] != MODE:
+        return ""
     single = ("input", *path[2:]) if path[0] == "inputs" else path
     return FROZEN_SECTIONS.get(path[0], "") or FROZEN_FIELDS.get(single[:2], "")
 

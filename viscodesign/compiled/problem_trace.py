@@ -10,7 +10,6 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
 from viscodesign.compiled.conditions import Tape
@@ -29,7 +28,7 @@ from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.scene.common_period import no_period
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.spec_part import faults_of
+from viscodesign.scene.spec_part import SpecPart, faults_of
 from viscodesign.simulation.build_problem import (
     Settings,
     assemble,
@@ -196,21 +195,20 @@ def _note_merged(scene: Scene, duration: Any, tape: Tape) -> None:
             tape.meetings.append((formula_of(one), formula_of(other)))
 
 
-def _validate_again(part: BaseModel, base: BaseModel, path: tuple[str, ...]) -> None:
+def _validate_again(part: SpecPart, base: SpecPart, path: tuple[str, ...]) -> None:
     """Run the checks of every changed part, so that what they take for granted is noted.
 
     Those of the whole scene, between its parts, ask a library for the fluid and are left out.
     """
-    for name, found in type(part).model_fields.items():
-        pairs = zip(parts_in(getattr(part, name)), parts_in(getattr(base, name)), strict=False)
-        for (key, inner), (_, former) in pairs:
+    for (name, own, _), (_, other, _) in zip(part.keyed_fields(), base.keyed_fields(), strict=True):
+        for (key, inner), (_, former) in zip(parts_in(own), parts_in(other), strict=False):
             if inner is not former:
-                place = (*path, found.alias or name, *key)
+                place = (*path, name, *key)
                 _run_checks(inner, place)
                 _validate_again(inner, former, place)
 
 
-def _run_checks(part: BaseModel, path: tuple[str, ...]) -> None:
+def _run_checks(part: SpecPart, path: tuple[str, ...]) -> None:
     """The checks of a part that look at several of its keys together."""
     for check in type(part).__pydantic_decorators__.model_validators.values():
         if check.info.mode == "after":

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, get_args, get_origin
 
-from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from viscodesign.compiled.free_number import Bounds
@@ -13,7 +12,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.network import TubeChange
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.spec_part import KeyPath, copied
+from viscodesign.scene.spec_part import KeyPath, SpecPart
 from viscodesign.units import QuantityKind
 
 
@@ -42,7 +41,7 @@ class TableField:
         return (*self.path, str(row), *own)
 
 
-def number_fields(part: BaseModel, path: KeyPath = ()) -> Iterator[NumberField]:
+def number_fields(part: SpecPart, path: KeyPath = ()) -> Iterator[NumberField]:
     """Every number of a part of a scene."""
     for place, value, found in _fields(part, path):
         kind, kinds = quantity_of(found), _column_kinds(found)
@@ -57,7 +56,7 @@ def number_fields(part: BaseModel, path: KeyPath = ()) -> Iterator[NumberField]:
             yield from number_fields(inner, (*place, *key))
 
 
-def table_fields(part: BaseModel, path: KeyPath = ()) -> Iterator[TableField]:
+def table_fields(part: SpecPart, path: KeyPath = ()) -> Iterator[TableField]:
     """Every table and every list of numbers of a part of a scene."""
     for place, value, found in _fields(part, path):
         kinds = _column_kinds(found)
@@ -68,19 +67,19 @@ def table_fields(part: BaseModel, path: KeyPath = ()) -> Iterator[TableField]:
             yield from table_fields(inner, (*place, *key))
 
 
-def _fields(part: BaseModel, path: KeyPath) -> Iterator[tuple[KeyPath, Any, FieldInfo]]:
-    for name, found in type(part).model_fields.items():
-        yield (*path, found.alias or name), getattr(part, name), found
+def _fields(part: SpecPart, path: KeyPath) -> Iterator[tuple[KeyPath, Any, FieldInfo]]:
+    for key, value, found in part.keyed_fields():
+        yield (*path, key), value, found
 
 
-def parts_in(value: Any) -> list[tuple[KeyPath, BaseModel]]:
+def parts_in(value: Any) -> list[tuple[KeyPath, SpecPart]]:
     """The parts of a spec that a field's value holds, and their keys below it."""
-    if isinstance(value, BaseModel):
+    if isinstance(value, SpecPart):
         return [((), value)]
     if isinstance(value, dict):
-        return [((k,), v) for k, v in value.items() if isinstance(v, BaseModel)]
+        return [((k,), v) for k, v in value.items() if isinstance(v, SpecPart)]
     if isinstance(value, tuple):
-        return [((str(k),), v) for k, v in enumerate(value) if isinstance(v, BaseModel)]
+        return [((str(k),), v) for k, v in enumerate(value) if isinstance(v, SpecPart)]
     return []
 
 
@@ -99,8 +98,8 @@ def _column_kinds(found: FieldInfo) -> Sequence[QuantityKind]:
 def value_at(value: Any, path: KeyPath) -> Any:
     """What stands at a place of a scene; raises `LookupError` where nothing does."""
     for part in path:
-        if isinstance(value, BaseModel):
-            value = getattr(value, _field_name(value, part))
+        if isinstance(value, SpecPart):
+            value = _by_key(value)[part]
         elif isinstance(value, dict):
             value = value[part]
         elif isinstance(value, tuple) and part.isdigit():
@@ -118,22 +117,18 @@ def is_given(scene: Scene, path: KeyPath) -> bool:
         return False
 
 
-def _field_name(part: BaseModel, key: str) -> str:
-    """The field of a key."""
-    fields = type(part).model_fields.items()
-    found = next((name for name, field in fields if (field.alias or name) == key), None)
-    if found is None:
-        raise LookupError(key)
-    return found
+def _by_key(part: SpecPart) -> dict[str, Any]:
+    """What stands at the keys of a part."""
+    return {key: value for key, value, _ in part.keyed_fields()}
 
 
 def replaced(value: Any, tree: Any) -> Any:
     """A part of a scene with what a tree of keys holds in their places; nothing is validated."""
     if not isinstance(tree, dict):
         return tree
-    if isinstance(value, BaseModel):
-        names = {_field_name(value, key): below for key, below in tree.items()}
-        return copied(value, {n: replaced(getattr(value, n), below) for n, below in names.items()})
+    if isinstance(value, SpecPart):
+        held = _by_key(value)
+        return value.with_keys({key: replaced(held[key], below) for key, below in tree.items()})
     if isinstance(value, tuple):
         entries = list(value)
         for key, below in tree.items():

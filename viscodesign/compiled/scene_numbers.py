@@ -189,7 +189,7 @@ def _unused_fault(name: str, active: Collection[str]) -> Fault:
     readers = [
         effect.name
         for effect in catalogue().values()
-        if effect.name not in active and name in effect.keys
+        if effect.name not in active and effect.reads(name)
     ]
     hint = f"; effects that would are not included: {', '.join(readers)}" if readers else ""
     return Fault(f"{NOTHING_DEPENDS}{hint}", name)

@@ -5,15 +5,16 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from enum import Enum
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from viscodesign.errors import Fault
+from viscodesign.errors import Fault, UsageError
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
-from viscodesign.scene.effects_choice import EffectsChoice, Mode
+from viscodesign.scene.effects_choice import EFFECTS, MODE, EffectsChoice, Mode
+from viscodesign.scene.spec_part import SpecPart
 from viscodesign.solve.obstacles import Obstacle
 
 if TYPE_CHECKING:
@@ -90,7 +91,14 @@ class Effect(ABC):
     references: ClassVar[tuple[LiteratureReference, ...]] = ()
     """What to cite for it."""
     keys: ClassVar[tuple[str, ...]] = ()
-    """Keys of the spec that it reads."""
+    """Keys of the spec that it reads, but for those below its own."""
+    options: ClassVar[type[SpecPart] | None] = None
+    """Its own keys, which stand below `effects.NAME` beside `mode`; each has a default."""
+
+    def __init_subclass__(cls, **given: Any) -> None:
+        super().__init_subclass__(**given)
+        if "options" in vars(cls) and cls.options is not None:
+            _refuse_options(cls, cls.options)
 
     # -- whether it matters -----------------------------------------------------
 
@@ -99,6 +107,12 @@ class Effect(ABC):
         """Its mode by the spec, before what other effects need."""
         is_named = not cls.own_rule or cls.name in choice.modes
         return choice.mode(cls.name) if is_named else "auto"
+
+    @classmethod
+    def reads(cls, key: str) -> bool:
+        """Whether it reads a key of the spec, or a section in which the key stands."""
+        own = () if cls.options is None else (f"{EFFECTS}.{cls.name}",)
+        return any(key == read or key.startswith(f"{read}.") for read in (*cls.keys, *own))
 
     @classmethod
     @abstractmethod
@@ -194,3 +208,15 @@ class Effect(ABC):
         """What a run that neglects the effect shows of it; None where nothing calls for it."""
         del quantities, problem, motion
         return None
+
+
+def _refuse_options(effect: type[Effect], options: type[SpecPart]) -> None:
+    """Raise `UsageError` for options that a spec could not leave out, or that hide the mode."""
+    for name, found in options.model_fields.items():
+        key = found.alias or name
+        if found.is_required() or key == MODE:
+            wrong = "is the key of the effect's mode" if key == MODE else "has no default"
+            raise UsageError(
+                f"{effect.__module__}: {options.__name__}.{name}: {wrong}; every option of an "
+                f"effect has a default and another name than '{MODE}'"
+            )

@@ -5,14 +5,20 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from viscodesign import effects
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.plugins import members
+from viscodesign.scene.scene import Scene
+from viscodesign.scene.several_scene import SeveralScene
+from viscodesign.scene.spec_part import SpecPart, copied
 
 if TYPE_CHECKING:
     from viscodesign.estimate.scene_quantities import SceneQuantities
+
+
+SpecT = TypeVar("SpecT", Scene, SeveralScene)
 
 
 def catalogue() -> dict[str, type[Effect]]:
@@ -37,6 +43,12 @@ def effect_names() -> tuple[str, ...]:
     return tuple(catalogue())
 
 
+def option_kinds() -> dict[str, type[SpecPart]]:
+    """The classes of the options of effects that have some, by name."""
+    kinds = catalogue().items()
+    return {name: kind.options for name, kind in kinds if kind.options is not None}
+
+
 def every_effect(quantities: SceneQuantities) -> dict[str, Effect]:
     """All effects of a scene by name, whether they act on something or not."""
     kinds = catalogue()
@@ -45,6 +57,13 @@ def every_effect(quantities: SceneQuantities) -> dict[str, Effect]:
         return {name: kind.of(quantities) for name, kind in kinds.items()}
 
     return dict(quantities.remembered(("effects", *kinds.values()), made))
+
+
+def with_default_options(scene: SpecT, names: Iterable[str]) -> SpecT:
+    """The spec with the options of these effects spelt out, which means the same."""
+    choice, kinds = scene.effects, option_kinds()
+    unsaid = {n: kinds[n]() for n in names if n in kinds and n not in choice.options}
+    return copied(scene, {"effects": choice.with_options(unsaid)}) if unsaid else scene
 
 
 def traits_of(names: Iterable[str]) -> frozenset[Trait]:

@@ -15,7 +15,6 @@ from viscodesign.effects.select import select_effects
 from viscodesign.errors import ViscodesignError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.metrics import METRIC_NAMES
-from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
@@ -47,10 +46,8 @@ def felt_effects(scene: Scene) -> frozenset[str]:
 
 
 def _with(scene: Scene, names: Iterable[str]) -> Scene:
-    modes = dict.fromkeys(sorted(names), "on")
-    choice = EffectsChoice.model_validate({**modes, "others": "off"})
-    found: Scene = copied(scene, {"effects": choice})
-    return found
+    choice = scene.effects.with_modes(dict.fromkeys(sorted(names), "on"), "off")
+    return copied(scene, {"effects": choice})
 
 
 def compiled_metrics(keys: FreeKeys) -> CompiledFunction | None:

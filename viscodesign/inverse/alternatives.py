@@ -11,6 +11,7 @@ from viscodesign.inverse.number_search import NumberDesign
 from viscodesign.results.path_design import DesignAlternative
 from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.reading.write import resolved_yaml
+from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
 MOST_ALTERNATIVES = 8
@@ -32,6 +33,12 @@ def alternatives(
     return tuple(sorted(best, key=lambda own: own.rms_m)[:MOST_ALTERNATIVES])
 
 
+def with_modes_of(effects: EffectsChoice, scene: Scene) -> Scene:
+    """A found scene with the modes of a spec's effects; options may have been free."""
+    choice = scene.effects.with_modes(effects.modes, effects.others)
+    return copied(scene, {"effects": choice})
+
+
 def _beats(one: DesignAlternative, other: DesignAlternative) -> bool:
     """Whether one is at least as good in everything and better in something."""
     pairs = list(zip(one.measures, other.measures, strict=True))
@@ -39,7 +46,7 @@ def _beats(one: DesignAlternative, other: DesignAlternative) -> bool:
 
 
 def _measured(own: NumberDesign, effects: EffectsChoice) -> DesignAlternative:
-    scene = copied(own.scene, {"effects": effects})
+    scene = with_modes_of(effects, own.scene)
     ends = [source.extremes(scene.run.duration) for source in scene.inputs.values()]
     squares = (own.band**2).sum(axis=1)
     return DesignAlternative(

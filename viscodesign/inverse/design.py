@@ -11,7 +11,7 @@ from viscodesign.checks.written_numbers import written
 from viscodesign.errors import Fault, SolveError, SpecError, UsageError
 from viscodesign.exploration.parallel_rows import available_cores
 from viscodesign.interrupt import gentle_interrupt
-from viscodesign.inverse.alternatives import alternatives
+from viscodesign.inverse.alternatives import alternatives, with_modes_of
 from viscodesign.inverse.beyond_reach import beyond_reach
 from viscodesign.inverse.confirmation import Confirmation, confirm
 from viscodesign.inverse.free_choice import free_choice
@@ -29,7 +29,6 @@ from viscodesign.scene.reading.read import Overrides
 from viscodesign.scene.reading.sources import SpecSource
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
-from viscodesign.scene.spec_part import copied
 
 CONFIRM_SHARE = 0.85
 """Part of the budget that the search may take: the rest confirms."""
@@ -156,7 +155,7 @@ def _designed(task: SearchTask, scene: Scene) -> PathDesign:
             return _without_solution(task, scene, f"{why} before a first solution")
         except SolveError as error:
             return _without_solution(task, scene, f"no start has a solution: {error}")
-        found = copied(designs[0].scene, {"effects": effects})
+        found = with_modes_of(effects, designs[0].scene)
         if task.stop.asked:
             return _finished(task, scene, designs, found, None)
         try:
@@ -165,7 +164,7 @@ def _designed(task: SearchTask, scene: Scene) -> PathDesign:
             return _finished(task, scene, designs, found, None)
         allowed = task.tolerance_m
         missed = designs[0].distance.meets(allowed) and not confirmed.distance.meets(allowed)
-        pinned = {name: "on" for name in confirmed.effects}
+        pinned = found.effects.with_modes(dict.fromkeys(confirmed.effects, "on"))
         if not missed or not task.choice.ranges or task.is_over:
             break
         posed = found.replace({"effects": pinned})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clock
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,6 +19,7 @@ from viscodesign.inverse.posed_scene import posed_scene
 from viscodesign.inverse.search_task import DescentPlan, SearchLog, SearchTask
 from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.results.reach_study import ReachedPoint
+from viscodesign.scene.effects_choice import EffectsChoice, Mode
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
@@ -116,7 +118,7 @@ def _verified(
     run = confirm(task.wanted, found.scene, TOLERANCE)
     if run.distance.rms_m > TOLERANCE >= found.distance.rms_m:
         # The run has more effects than the search had: go on with them.
-        pinned = posed.replace({"effects": {name: "on" for name in run.effects}})
+        pinned = posed.replace({"effects": _pinned(posed, run.effects, "auto")})
         again = search_numbers(task, pinned, start=found.values, several_starts=False)[0]
         changed = found.scene.replace(dict(_rows(again.values, times, begins)))
         better = confirm(task.wanted, changed, TOLERANCE)
@@ -124,7 +126,7 @@ def _verified(
             found, run = again, better
     final = _with_path(posed, found.values, times, begins)
     # Of the same run at more times the effects are known.
-    pinned = final.replace({"effects": dict.fromkeys(run.effects, "on") | {"others": "off"}})
+    pinned = final.replace({"effects": _pinned(final, run.effects, "off")})
     path = np.asarray(simulate(pinned, verify=False).tip)[:, :2]
     if not len(path):
         raise SolveError("the run has no motion", quantity="tip", where="rod")
@@ -146,6 +148,11 @@ def _with_path(posed: Scene, values: np.ndarray, times: np.ndarray, begins: floa
     """The scene with an input, and output times that show the tip's way."""
     shown = np.linspace(0.0, float(times[-1]), PATH_TIMES).tolist()
     return posed.replace({**_rows(values, times, begins), "run.output_times": shown})
+
+
+def _pinned(scene: Scene, names: Sequence[str], others: Mode) -> EffectsChoice:
+    """The effects of a scene with these on."""
+    return scene.effects.with_modes(dict.fromkeys(names, "on"), others)
 
 
 def _rows(values: np.ndarray, times: np.ndarray, begins: float) -> dict[str, object]:

@@ -70,7 +70,7 @@ class RobotScene(WholeSpec):
     @field_validator("effects")
     @classmethod
     def _fixed(cls, effects: EffectsChoice) -> EffectsChoice:
-        if effects.modes or effects.others != "auto":
+        if effects != EffectsChoice():
             raise invalid("the equations of a robot's legs are fixed; remove 'effects', or auto")
         return effects
 

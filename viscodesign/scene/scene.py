@@ -13,7 +13,7 @@ from viscodesign.scene.actuator import Actuator
 from viscodesign.scene.bellows import Bellows
 from viscodesign.scene.common_period import common_period
 from viscodesign.scene.cross_checks import SINGLE_INLET, cross_check
-from viscodesign.scene.effects_choice import EffectsChoice
+from viscodesign.scene.effects_choice import EFFECTS_WORDS, EffectsChoice
 from viscodesign.scene.fluids.base import FluidProperties
 from viscodesign.scene.input import AnyInput
 from viscodesign.scene.inputs.base import Input
@@ -67,9 +67,7 @@ class Scene(WholeSpec):
         None, alias="inputs", description="One input per inlet, by name"
     )
     loads: Loads = Field(default_factory=Loads, description="Gravity, tip force and payload")
-    effects: EffectsChoice = Field(
-        default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
-    )
+    effects: EffectsChoice = Field(default_factory=EffectsChoice, description=EFFECTS_WORDS)
     uncertainty: Uncertainty | None = Field(
         None,
         description="How well numbers are known: key: 5 % (one standard deviation) or key: "

@@ -20,7 +20,7 @@ from pydantic_core import PydanticCustomError
 from viscodesign.errors import Fault, SpecError
 from viscodesign.scene.alone import Alone, alone
 from viscodesign.scene.common_period import common_period
-from viscodesign.scene.effects_choice import EffectsChoice
+from viscodesign.scene.effects_choice import EFFECTS_WORDS, EffectsChoice
 from viscodesign.scene.fed_actuator import INLET, FedActuator, by_inlet, inherited
 from viscodesign.scene.fluid_links import (
     LinkedGroup,
@@ -102,9 +102,7 @@ class SeveralScene(WholeSpec):
         min_length=1, description="The inputs by name: one may feed several actuators"
     )
     loads: Loads = Field(default_factory=Loads, description="Loads of every actuator")
-    effects: EffectsChoice = Field(
-        default_factory=EffectsChoice, description="auto, or effect: auto | on | off"
-    )
+    effects: EffectsChoice = Field(default_factory=EffectsChoice, description=EFFECTS_WORDS)
     uncertainty: Uncertainty | None = Field(None, description="How well numbers are known")
     run: RunSettings = Field(description="Duration, outputs and initial state")
     pump: AnyPump | None = Field(

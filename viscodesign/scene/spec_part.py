@@ -14,6 +14,7 @@ from pydantic import (
     field_validator,
     model_serializer,
 )
+from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
 from viscodesign.errors import Fault, SpecError, did_you_mean
@@ -84,6 +85,16 @@ class SpecPart(BaseModel):
             f"scene.replace({{'{self.section}{keys[name]}': {value}}}) is a new one, checked like "
             "a loaded one"
         )
+
+    def keyed_fields(self) -> Iterator[tuple[str, Any, FieldInfo]]:
+        """Every key below this part, with its value and the field that says what this may be."""
+        for name, found in type(self).model_fields.items():
+            yield found.alias or name, getattr(self, name), found
+
+    def with_keys(self, values: Mapping[str, Any]) -> Self:
+        """A copy with other values of some keys, not validated. Raises `KeyError` for others."""
+        names = {found.alias or name: name for name, found in type(self).model_fields.items()}
+        return copied(self, {names[key]: value for key, value in values.items()})
 
     def unwritten(self) -> tuple[str, ...]:
         """Names of fields that a resolved spec leaves out, since another field overrides them."""

@@ -96,6 +96,7 @@ def test_the_document_of_one(call: Call) -> None:
         "source": "Archimedes.",
         "references": [],
         "keys": ["effects.buoyancy", "ambient.density"],
+        "options": [],
         "needs": ["gravity"],
         "follows_others": True,
     }

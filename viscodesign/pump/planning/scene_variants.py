@@ -71,8 +71,7 @@ def with_effects_of(scene: Scene, found: Trajectory) -> Scene:
     """The scene with just the effects that a run of it took."""
     known = effect_names()
     modes = {v.name: "on" if v.taken else "off" for v in found.effects if v.name in known}
-    effects = copied(scene.effects, {"modes": modes, "others": "auto"})
-    return copied(scene, {"effects": effects})
+    return copied(scene, {"effects": scene.effects.with_modes(modes)})
 
 
 def with_inputs(scene: Scene, inputs: Mapping[str, Input]) -> Scene:

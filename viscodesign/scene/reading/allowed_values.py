@@ -51,9 +51,9 @@ def allowed_of(found: FieldInfo) -> str:
     )
 
 
-def words_at(path: KeyPath) -> tuple[str, ...]:
-    """The words that the value of a key may be, whatever else a spec says; none for a number."""
-    found = field_at(path, Document(""))
+def words_at(path: KeyPath, document: Document) -> tuple[str, ...]:
+    """The words that the value of a key may be; none for a number."""
+    found = field_at(path, document)
     members = alternatives(found.annotation) if found is not None else []
     choices = [get_args(member) for member in members if get_origin(member) is Literal]
     return tuple(str(word) for words in choices for word in words)

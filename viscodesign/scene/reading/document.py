@@ -24,6 +24,7 @@ import yaml
 
 from viscodesign.errors import Fault, SpecError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.effects_choice import KnownEffects
 from viscodesign.scene.reading.yaml_events import (
     MAX_DEPTH,
     TOO_DEEP,
@@ -55,6 +56,8 @@ class Document:
     """Faults of single keys and values, which leave the rest of the document readable."""
     model: Any = None
     """The pydantic model that it is read into; None for a spec of a scene."""
+    effects: KnownEffects = KnownEffects(())
+    """Those that it may name."""
 
     def given(self, path: KeyPath) -> Any:
         """The value as it was written; None where there is none."""

@@ -8,6 +8,7 @@ from pathlib import Path
 import yaml
 
 from viscodesign.errors import UsageError
+from viscodesign.scene.effects_choice import MODE, is_effect, mapping_of
 
 
 def write_values(file: Path, section: str, values: Mapping[str, str]) -> None:
@@ -48,16 +49,21 @@ def with_value(text: str, path: Sequence[str], value: str) -> str:
         if below is None:
             return _inserted(text, here, key, _nested(path[depth + 1 :], value))
         has_keys = isinstance(below, yaml.MappingNode) and below.value
+        if has_keys and is_effect(path) and depth == 1 and not value.startswith("{"):
+            return with_value(text, (*path, MODE), value)
         if depth == len(path) - 1 or not has_keys:
             start, end = below.start_mark.index, _end(below)
-            return text[:start] + _nested(path[depth + 1 :], value) + text[end:]
+            said = mapping_of(tuple(path[: depth + 1]), text[start:end])
+            new = _nested(path[depth + 1 :], value, said if depth < len(path) - 1 else {})
+            return text[:start] + new + text[end:]
         here = below
     return text
 
 
-def _nested(path: Sequence[str], value: str) -> str:
-    """A value as mappings of mappings, on one line."""
-    return "".join(f"{{{key}: " for key in path) + value + "}" * len(path)
+def _nested(path: Sequence[str], value: str, beside: Mapping[str, str] | None = None) -> str:
+    """A value as mappings of mappings, on one line; ``beside`` it: keys of the outermost one."""
+    new = "".join(f"{{{key}: " for key in path) + value + "}" * len(path)
+    return new.replace("{", "{" + "".join(f"{k}: {v}, " for k, v in (beside or {}).items()), 1)
 
 
 def _inserted(text: str, node: yaml.Node | None, key: str, value: str) -> str:

@@ -16,6 +16,7 @@ from viscodesign.errors import (
     not_among,
 )
 from viscodesign.scene.cross_checks import cross_check
+from viscodesign.scene.effects_choice import EFFECTS, OPTIONS
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
 from viscodesign.scene.pump import PUMP_KINDS
@@ -124,6 +125,7 @@ def _key_path(detail: ErrorDetails, document: Document) -> KeyPath:
     path: KeyPath = ()
     for part in map(str, detail["loc"]):
         is_tag = part in (ONE, EACH, OWN, SAME) or part in _kinds_at(path)
+        is_tag |= (*path, part) == (EFFECTS, OPTIONS)
         if not is_tag or isinstance(document.given((*path, part)), dict):
             path = (*path, part)
     return path

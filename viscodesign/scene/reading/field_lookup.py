@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from viscodesign.scene.effects_choice import MODE, OTHERS, EffectsChoice, is_effect
 from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.per_inlet import is_by_inlet
@@ -47,7 +48,23 @@ def example_of(found: FieldInfo, quantity: QuantityKind) -> str:
 def keys_beside(path: KeyPath, document: Document) -> list[str]:
     """The keys that are allowed beside the last one of ``path``."""
     model = _model_at(path[:-1], document)
-    return list(_fields(model)) if model is not None else []
+    if model is None:
+        return []
+    return [*([MODE] if is_effect(path[:-1]) else []), *_fields(model)]
+
+
+def fields_below(model: type[BaseModel], above: str) -> Iterator[tuple[str, FieldInfo]]:
+    """Every key below a section and its field, each followed by those below it."""
+    for name, found in _fields(model).items():
+        yield f"{above}{name}", found
+        for part in _parts(found.annotation):
+            yield from fields_below(part, f"{above}{name}.")
+
+
+def _parts(annotation: Any) -> list[type[BaseModel]]:
+    """The parts of a spec that a field may hold."""
+    kinds = [kind for kind in alternatives(annotation) if isinstance(kind, type)]
+    return [kind for kind in kinds if issubclass(kind, BaseModel)]
 
 
 def is_key_of_a_kind(key: str) -> bool:
@@ -56,6 +73,8 @@ def is_key_of_a_kind(key: str) -> bool:
 
 
 def _fields(model: type[BaseModel]) -> dict[str, FieldInfo]:
+    if model is EffectsChoice:  # its other keys are names of effects
+        return {OTHERS: model.model_fields[OTHERS]}
     return {found.alias or name: found for name, found in model.model_fields.items()}
 
 
@@ -64,7 +83,9 @@ def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
     annotation: Any = document.model or Scene
     for depth, part in enumerate(path):
         model = _model_in(annotation, document.given(path[:depth]))
-        if model is None:
+        if model is EffectsChoice:
+            annotation = document.effects.options.get(part)
+        elif model is None:
             annotation = entry_of(annotation)
         elif part in _fields(model):
             annotation = _fields(model)[part].annotation
@@ -75,8 +96,7 @@ def _model_at(path: KeyPath, document: Document) -> type[BaseModel] | None:
 
 def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
     """The model of an annotation; of a family of kinds, the given one."""
-    kinds = [a for a in alternatives(annotation) if isinstance(a, type)]
-    models = [a for a in kinds if issubclass(a, BaseModel)]
+    models = _parts(annotation)
     if isinstance(given, dict) and "as" in given and SameInput in models:
         return SameInput
     models = [model for model in models if model is not SameInput]
@@ -84,7 +104,8 @@ def _model_in(annotation: Any, given: Any) -> type[BaseModel] | None:
         if models and all(issubclass(model, base) for model in models):
             kind = given.get("kind", default) if isinstance(given, dict) else None
             return family.get(kind) if isinstance(kind, str) else None
-    if len(kinds) < len(alternatives(annotation)) and is_by_inlet(given):
+    is_type = [isinstance(kind, type) for kind in alternatives(annotation)]
+    if not all(is_type) and is_by_inlet(given):
         return None
     return models[0] if len(models) == 1 else None
 

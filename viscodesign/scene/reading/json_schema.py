@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from viscodesign.scene.effects_choice import OTHERS
+from viscodesign.scene.effects_choice import EFFECTS, EFFECTS_WORDS, MODE, OTHERS, KnownEffects
 from viscodesign.scene.fluid import named_fluids
-from viscodesign.scene.reading.read import IGNORED_PREFIX, ROBOT_KEY, KnownEffects
+from viscodesign.scene.reading.read import IGNORED_PREFIX, ROBOT_KEY
 from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.several_scene import SeveralScene
@@ -24,7 +24,6 @@ _BOUNDS = {
 
 
 Node = dict[str, Any]
-EFFECTS = "effects"
 SCENES: dict[str, type[SpecPart]] = {
     "Scene": Scene,
     "RobotScene": RobotScene,
@@ -37,9 +36,10 @@ def spec_schema(known: KnownEffects) -> Node:
     """The schema, draft 2020-12, including the words that replace a mapping, such as `on`."""
     found = {name: model.model_json_schema(by_alias=True) for name, model in SCENES.items()}
     definitions: Node = {}
+    effects = _effects(known, definitions)
     for name, schema in found.items():
         definitions |= schema.pop("$defs")
-        definitions[name] = _with_words(schema, known)
+        definitions[name] = _with_words(schema, effects)
     definitions["Scene"]["oneOf"] = [{"required": ["input"]}, {"required": ["inputs"]}]
     for replaced in ("EffectsChoice", "Uncertainty"):
         definitions.pop(replaced, None)
@@ -67,11 +67,11 @@ def _chosen(by_key: list[tuple[str, str]], otherwise: str) -> Node:
     }
 
 
-def _with_words(schema: Node, known: KnownEffects) -> Node:
+def _with_words(schema: Node, effects: Node) -> Node:
     """The schema of a scene with the words and names that its keys take besides mappings."""
     properties = schema["properties"]
     properties["fluid"] = _fluid()
-    properties[EFFECTS] = _effects(known)
+    properties[EFFECTS] = effects
     if "uncertainty" in properties:
         properties["uncertainty"] = _uncertainty(properties["uncertainty"]["description"])
     schema["patternProperties"] = {f"^{IGNORED_PREFIX}": {}}
@@ -94,21 +94,28 @@ def _fluid() -> Node:
     }
 
 
-def _effects(known: KnownEffects) -> Node:
+def _effects(known: KnownEffects, definitions: Node) -> Node:
+    """Modes and options of effects; ``definitions`` gets those of parts of options."""
     mode = {"enum": ["auto", *_ON, *_OFF]}
+    modes: Node = dict.fromkeys(known.names, mode)
+    for name, kind in known.options.items():
+        own = kind.model_json_schema(by_alias=True)
+        definitions |= own.pop("$defs", {})
+        own["properties"] = {MODE: mode, **own["properties"]}
+        modes[name] = {"anyOf": [mode, own]}
     return {
         "anyOf": [
             mode,
             {
                 "type": "object",
                 "properties": {
-                    **dict.fromkeys(known.names, mode),
+                    **modes,
                     OTHERS: {**mode, "description": "Mode of all other effects"},
                 },
                 "additionalProperties": False,
             },
         ],
-        "description": "auto, or effect: auto | on | off",
+        "description": EFFECTS_WORDS,
     }
 
 

@@ -10,7 +10,13 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from viscodesign.errors import Fault, SpecError, described
-from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.effects_choice import (
+    KNOWN_EFFECTS,
+    MODE,
+    KnownEffects,
+    is_effect,
+    mapping_of,
+)
 from viscodesign.scene.reading.document import Document, parse_value
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
 from viscodesign.scene.reading.sources import (
@@ -35,13 +41,6 @@ PYTHON_OVERRIDES = "overrides"
 """Where faults of values are that a script gave."""
 Overrides = Sequence[str] | Mapping[str, Any]
 """Texts 'key.path=value', or values by key."""
-
-
-@dataclass(frozen=True)
-class KnownEffects:
-    """Names that `effects:` may contain."""
-
-    names: tuple[str, ...]
 
 
 def load_scene(
@@ -70,9 +69,7 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
     refuse_other_version(document)
     _refuse_other_kinds(document)
     valid: dict[tuple[str, str | None], Any] = {}
-    context: dict[str, Any] = {"folder": spec.folder, VALID_FIELDS: valid}
-    if known is not None:
-        context |= {"effect_names": known.names}
+    context = {**context_of(spec, known), VALID_FIELDS: valid}
     data = read_keys(document)
     try:
         scene = Scene.model_validate(data, context=context)
@@ -83,6 +80,14 @@ def scene_of(spec: ReadSpec, overrides: Overrides = (), known: KnownEffects | No
     if document.faults:
         raise SpecError(in_order(document.faults))
     return with_provenance(scene, spec)
+
+
+def context_of(spec: ReadSpec, known: KnownEffects | None) -> dict[str, Any]:
+    """What validators are told of a spec and of the effects that it may name."""
+    if known is None:
+        return {"folder": spec.folder}
+    spec.document.effects = known
+    return {"folder": spec.folder, KNOWN_EFFECTS: known}
 
 
 def read_keys(document: Document) -> dict[str, Any]:
@@ -178,17 +183,25 @@ def _override(document: Document, key: str, value: Any, place: str) -> None:
     parts = tuple(key.strip().split("."))
     if not all(parts):
         raise SpecError([Fault(OVERRIDE_FORM, file=place)])
+    if _is_mode_beside_options(document, parts, value):
+        parts = (*parts, MODE)
     here: Any = document.data
     for depth, part in enumerate(parts[:-1], start=1):
         here = _entry(here, part, place)
         if not isinstance(here, (dict, list)):
             # A word such as `gravity: on` is replaced by the mapping that it abbreviates.
-            here = _put(document, parts[:depth], {}, place)
+            here = _put(document, parts[:depth], mapping_of(parts[:depth], here), place)
     if isinstance(here, list):
         _entry(here, parts[-1], place)
     for other in _replaced_by(parts):
         _remove(document, other)
     _put(document, parts, value, place)
+
+
+def _is_mode_beside_options(document: Document, parts: KeyPath, value: Any) -> bool:
+    """Whether a value is an effect's mode alone, and the document states options of the effect."""
+    is_mode = is_effect(parts) and not isinstance(value, dict)
+    return is_mode and isinstance(document.given(parts), dict)
 
 
 EXCLUDED_BY = {

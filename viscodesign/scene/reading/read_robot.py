@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from pydantic import ValidationError
 
 from viscodesign.errors import Fault, SpecError
+from viscodesign.scene.effects_choice import KnownEffects
 from viscodesign.scene.reading.fault_messages import explain_validation
 from viscodesign.scene.reading.read import (
     ROBOT_KEY,
-    KnownEffects,
     Overrides,
     apply_overrides,
+    context_of,
     in_order,
     read_keys,
     refuse_other_version,
@@ -54,11 +55,8 @@ def read_as(
     document.model = model
     apply_overrides(document, overrides)
     refuse_other_version(document)
-    context: dict[str, Any] = {"folder": spec.folder}
-    if known is not None:
-        context |= {"effect_names": known.names}
     try:
-        found = model.model_validate(read_keys(document), context=context)
+        found = model.model_validate(read_keys(document), context=context_of(spec, known))
     except ValidationError as error:
         faults = explain_validation(error, document)
         raise SpecError(in_order([*document.faults, *faults])) from None

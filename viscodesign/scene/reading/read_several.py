@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from viscodesign.scene.effects_choice import KnownEffects
 from viscodesign.scene.reading.read import (
     ACTUATORS_KEY,
     ROBOT_KEY,
-    KnownEffects,
     Overrides,
     with_provenance,
 )

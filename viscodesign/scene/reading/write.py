@@ -8,7 +8,7 @@ from typing import Any
 import yaml
 from pydantic.fields import FieldInfo
 
-from viscodesign.scene.effects_choice import OTHERS, EffectsChoice
+from viscodesign.scene.effects_choice import EffectsChoice
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.reading.yaml_events import plain_value
 from viscodesign.scene.scene import Scene
@@ -68,7 +68,7 @@ def part_yaml(part: SpecPart) -> str:
 def plain_part(part: SpecPart) -> dict[str, Any]:
     """A part as a spec has it: fields under their YAML keys, without those that are unset."""
     if isinstance(part, EffectsChoice):
-        return {**part.modes, OTHERS: part.others}
+        return part.as_in_a_spec(plain_part)
     if isinstance(part, Uncertainty):
         return {k: _entry(tuple(v)) if isinstance(v, list) else v
                 for k, v in part.as_in_a_spec().items()}  # fmt: skip
