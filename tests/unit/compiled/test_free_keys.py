@@ -91,7 +91,7 @@ def test_every_candidate_but_those_without_derivatives_is_a_number() -> None:
         (["network.tubes[x].length"], "no such tube; the tubes are inlet-R1, R1-R2"),
         (["network.tubes[*].lenght"], "no such key; did you mean 'length'"),
         (["network..tube_length"], "no such number"),
-        ([""], "no such number"),
+        ([""], "a free key is empty"),
         (["input.rows[3].pressure"], "no such row; the rows are 0 to 2"),
         (["input.rows[1].presure"], "no such column; did you mean 'pressure'"),
         (["input.rows[1].x"], "no such column; the columns are time, pressure"),
