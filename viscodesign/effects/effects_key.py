@@ -35,8 +35,19 @@ def effects_key(quantities: SceneQuantities, effects: Iterable[Effect]) -> Hasha
     code, with whatever that names in its own package. Code of third packages counts by its names.
     """
     scene = quantities.scene
-    walk = _CodeWalk(quantities, scene)
-    return scene.digest, walk.whole([*effects, *map(type, scene.inputs.values())])
+    kinds = list(map(type, scene.inputs.values()))
+    return scene.digest, _part(quantities, kinds), *(_part(quantities, own) for own in effects)
+
+
+def _part(quantities: SceneQuantities, own: Effect | list[type[Input]]) -> Hashable:
+    """The key of one effect, or of all kinds of input: found once for some quantities."""
+
+    def made() -> tuple[Hashable, object]:
+        # Kept beside it, or something else might come to have the same identity.
+        return _CodeWalk(quantities, quantities.scene).whole(own), own
+
+    name = "inputs" if isinstance(own, list) else id(own)
+    return quantities.remembered(("key", name), made)[0]
 
 
 def scene_key(scene: Scene) -> Hashable:

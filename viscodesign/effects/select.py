@@ -47,10 +47,8 @@ def select_effects(quantities: SceneQuantities) -> Selection:
 
     def choice() -> tuple[Names, tuple[Verdict, ...]]:
         active, dominant = _fewest(sets, displacements)
-        acting = [n for n in sets.effects if n in sets.present and sets.acts_in(n, active)]
-        flipped = {n: sets.flipped(active, n) for n in acting if n not in dominant}
+        flipped = _flipped(sets, active, dominant)
         displacements.prepare(active, flipped.values())
-        # What dominates does nearly the same in a set without what hardly moves the tip.
         moved = {n: displacements.between(active, other) for n, other in flipped.items()}
         moved |= dominant
         return active, tuple(verdict(sets, n, active, moved.get(n, 0.0)) for n in sets.effects)
@@ -152,7 +150,9 @@ def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> tuple[Names, 
         before = names
         # In the catalogue's order, so that equal costs are always met in the same one.
         loose = [n for n in sets.effects if n in names - required and n not in dominant]
-        cost = _costs(sets, displacements, names, loose)
+        flipped = _flipped(sets, names, dominant)
+        displacements.prepare(names, flipped.values())
+        cost = {n: displacements.between(names, flipped[n]) for n in loose}
         most = NUMBERS.always_kept * share
         dominant |= {n: cost[n] for n in loose if cost[n] > most and sets.leads(n)}
         names, spent = _thinned(sets, displacements, names, spent, cost, share)
@@ -161,13 +161,13 @@ def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> tuple[Names, 
     return names, dominant
 
 
-def _costs(
-    sets: AllowedSets, displacements: TipDisplacements, names: Names, loose: list[str]
-) -> dict[str, float]:
-    """How far the tip moves where one effect of a set is left out [m]."""
-    fewer = {n: sets.without(names, n) for n in loose}
-    displacements.prepare(names, fewer.values())
-    return {n: displacements.between(names, fewer[n]) for n in loose}
+def _flipped(sets: AllowedSets, names: Names, dominant: Iterable[str]) -> dict[str, Names]:
+    """A set with one effect more or less, for all that act on something in it.
+
+    Not for those that are ``dominant``: they do nearly the same in another set.
+    """
+    acting = [n for n in sets.effects if n in sets.present and sets.acts_in(n, names)]
+    return {n: sets.flipped(names, n) for n in acting if n not in dominant}
 
 
 def _thinned(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -31,7 +32,8 @@ class LinearNetworks:
     pushed: np.ndarray
     baseline: float
     inertance: np.ndarray
-    """(S, Q) pressure per rate of flow of each tube; none (S, 0) [kg/m4]."""
+    """(S, Q) pressure per rate of flow of each tube; a network has one in all tubes, or zeros
+    [kg/m4]."""
     resistance: np.ndarray
     """(S, Q) [Pa s/m3]"""
     impedance: np.ndarray
@@ -42,7 +44,7 @@ class LinearNetworks:
     ends: np.ndarray
     """(Q, N + U): share that each of them has in the mean pressure of a tube's known ends."""
 
-    def take(self, rows: list[int]) -> LinearNetworks:
+    def take(self, rows: Sequence[int] | np.ndarray) -> LinearNetworks:
         """Some of the networks, each as often as it is named."""
         names = "conductance", "feed", "capacity", "inertance", "resistance", "impedance", "tubes"
         return replace(self, **{name: getattr(self, name)[rows] for name in names})
@@ -74,44 +76,63 @@ class LinearNetworks:
         rate, modes = np.linalg.eigh((matrix + matrix.swapaxes(1, 2)) / 2)
         return root, np.where(rate < 1e-12 * np.maximum(rate[:, -1:], 1e-300), 0.0, rate), modes
 
+    @cached_property
+    def _has_inertance(self) -> np.ndarray:
+        """(S,)"""
+        return np.asarray(np.any(self.inertance > 0.0, axis=1))
+
     def _respond(self, rate: np.ndarray, forced: np.ndarray, modes: np.ndarray) -> np.ndarray:
         """Modes (S, T, N) of all networks, as many filters."""
-        drive = forced.swapaxes(0, 1).reshape(len(self.time), -1)
-        if self.inertance.size:
-            # A mode with the flows f a: (sum I f^2) a' + (sum R f^2) a = rate y, y' = -rate a.
-            # Exact where all tubes have one ratio of inertance to resistance.
-            flows = (self.tubes[..., : modes.shape[1]] @ modes) ** 2
-            lost = (self.resistance[:, None] @ flows + 1e-300)[:, 0]
-            delay = (self.inertance[:, None] @ flows)[:, 0] / lost + 1e-30
-            numbers = delay.ravel(), (rate**2 / lost).ravel()
-            drive = drive * (rate / lost).ravel()
-            found = second_order(*numbers, self.time, drive, self.start)
-        else:
-            found = self._settle(rate.ravel(), drive)
-        return found.reshape(len(self.time), *rate.shape).swapaxes(0, 1)
+        drive, found = forced.swapaxes(0, 1), np.empty((len(self.time), *rate.shape))
+        late = self._has_inertance
+        if late.any():
+            found[:, late] = self._swing(rate[late], drive[:, late], modes[late], late)
+        if not late.all():
+            found[:, ~late] = self._settle(rate[~late], drive[:, ~late])
+        return found.swapaxes(0, 1)
 
-    def _settle(self, rate: np.ndarray, forced: np.ndarray) -> np.ndarray:
-        """y' = forced - rate y (T, M)."""
+    def _swing(
+        self, rate: np.ndarray, drive: np.ndarray, modes: np.ndarray, own: np.ndarray
+    ) -> np.ndarray:
+        """Modes (T, n, N) of networks with inertance, for ``drive`` (T, n, N); ``own`` (S,)."""
+        # A mode with the flows f a: (sum I f^2) a' + (sum R f^2) a = rate y, y' = -rate a.
+        # Exact where all tubes have one ratio of inertance to resistance.
+        flows = (self.tubes[own, :, : modes.shape[1]] @ modes) ** 2
+        lost = (self.resistance[own, None] @ flows + 1e-300)[:, 0]
+        delay = (self.inertance[own, None] @ flows)[:, 0] / lost + 1e-30
+        numbers = delay.ravel(), (rate**2 / lost).ravel()
+        filtered = (drive * (rate / lost)).reshape(len(drive), -1)
+        return second_order(*numbers, self.time, filtered, self.start).reshape(drive.shape)
+
+    def _settle(self, rate: np.ndarray, drive: np.ndarray) -> np.ndarray:
+        """y' = drive - rate y (T, n, N)."""
+        rates, forced = rate.ravel(), drive.reshape(len(drive), -1)
         # What settles far within every step follows at once.
-        found = forced / np.where(rate > 0, rate, 1.0)
-        settled = np.where(rate > 0, found[0], 0.0)
-        slow = rate * self.time[-1] < FAST
-        filters = -rate[slow], self.time, forced[:, slow]
+        found = forced / np.where(rates > 0, rates, 1.0)
+        settled = np.where(rates > 0, found[0], 0.0)
+        slow = rates * self.time[-1] < FAST
+        filters = -rates[slow], self.time, forced[:, slow]
         found[:, slow] = first_order(*filters, start_of(self.start, settled[slow], *filters))
-        return found
+        return found.reshape(drive.shape)
 
     def flows(self, pressure: np.ndarray) -> np.ndarray:
         """Flow of every tube (S, T, Q) [m3/s]."""
         driven = np.asarray(self._above(pressure) @ self.tubes.swapaxes(1, 2))
-        if not self.inertance.size:
-            return driven
-        # Inertance: a flow comes up to what drives it after a while.
-        driven = driven * (self.impedance / self.resistance)[:, None]
-        delay = (self.inertance / self.resistance).ravel()
+        late = self._has_inertance
+        if late.any():
+            # Inertance: a flow comes up to what drives it after a while.
+            driven[late] = self._delayed(driven[late], late)
+        return driven
+
+    def _delayed(self, driven: np.ndarray, own: np.ndarray) -> np.ndarray:
+        """Flows (n, T, Q) of networks with inertance; ``own`` (S,)."""
+        resistance = self.resistance[own]
+        driven = driven * (self.impedance[own] / resistance)[:, None]
+        delay = (self.inertance[own] / resistance).ravel()
         drive = driven.swapaxes(0, 1).reshape(len(self.time), -1)
         filters = -1 / delay, self.time, drive / delay
         found = first_order(*filters, start_of(self.start, drive[0], *filters))
-        return found.reshape(len(self.time), *self.resistance.shape).swapaxes(0, 1)
+        return found.reshape(len(self.time), *resistance.shape).swapaxes(0, 1)
 
     def tube_pressures(self, pressure: np.ndarray) -> np.ndarray:
         """Mean gauge pressure of every tube (S, T, Q), from those of the nodes (S, T, N) [Pa]."""
@@ -136,7 +157,7 @@ class UniformNetworks:
     pushed: np.ndarray
     baseline: float
 
-    def take(self, rows: list[int]) -> UniformNetworks:
+    def take(self, rows: Sequence[int] | np.ndarray) -> UniformNetworks:
         """Some of the networks, each as often as it is named."""
         return replace(self, capacity=self.capacity[rows])
 

@@ -37,15 +37,23 @@ def averaged(
     averages = _Averages(setting, members)
     networks = averages.networks()
     pressure = networks.pressures()
-    for _ in range(AVERAGING_ROUNDS if averages.is_nonlinear else 0):
-        averages.update(networks, pressure)
-        networks = averages.networks()
-        before, pressure = pressure, networks.pressures()
-        changed = np.max(np.abs(pressure - before), axis=(1, 2), initial=0.0)
-        averages.settled |= changed <= SETTLED * setting.swing
-        if averages.settled.all():
+    rows = np.flatnonzero([m.is_nonlinear for m in members])
+    if not len(rows):
+        return networks, pressure[..., : setting.bellows]
+    moving, own, met = averages.take(rows), networks.take(rows), pressure[rows]
+    for _ in range(AVERAGING_ROUNDS):
+        moving.update(own, met)
+        own = moving.networks()
+        before, met = met, own.pressures()
+        averages.put(rows, moving)
+        pressure[rows] = met
+        changed = np.max(np.abs(met - before), axis=(1, 2), initial=0.0)
+        left = np.flatnonzero(~(changed <= SETTLED * setting.swing))
+        if not len(left):
             break
-    return networks, pressure[..., : setting.bellows]
+        if len(left) < len(rows):
+            rows, moving, own, met = rows[left], moving.take(left), own.take(left), met[left]
+    return averages.networks(), pressure[..., : setting.bellows]
 
 
 class _Averages:
@@ -53,37 +61,45 @@ class _Averages:
 
     def __init__(self, setting: EstimateSetting, members: Sequence[NetworkEstimate]) -> None:
         self._setting = setting
+        self._members = members
         self._bellow = WallsByRow(setting, [m.wall for m in members])
         self._fluids = [(f, r) for f, r in rows_by_law([m.fluid for m in members]) if f]
         self._losses = [(f, r) for f, r in rows_by_law([m.losses for m in members]) if f]
-        self._is_uniform = not members[0].distributed
-        self._inertance = np.array([m.inertance for m in members])
-        self._storage = [dict(m.storage) for m in members]
+        tubes = len(setting.resistance)
+        self._inertance = np.array([m.inertance or (0.0,) * tubes for m in members])
+        self._nodes = setting.nodes_storing(name for name, _ in members[0].storage)
+        self._stored = setting.stored(self._nodes, [dict(m.storage) for m in members])
         self._compliance = np.full((len(members), setting.bellows), setting.compliance)
-        self._multiplier = np.ones((len(members), len(setting.resistance)))
+        self._multiplier = np.ones((len(members), tubes))
         self._thinness = np.ones_like(self._multiplier)
         self._loss = _Secant()
-        self.settled = np.zeros(len(members), dtype=bool)
-        """Which of the networks keep their means."""
-        self.is_nonlinear = bool(self._fluids or self._losses) or members[0].wall is not None
+
+    def take(self, rows: np.ndarray) -> _Averages:
+        """Those of some of the networks (n,)."""
+        some = _Averages(self._setting, [self._members[k] for k in rows])
+        some._compliance = self._compliance[rows]
+        some._multiplier, some._thinness = self._multiplier[rows], self._thinness[rows]
+        some._loss = self._loss.take(rows)
+        return some
+
+    def put(self, rows: np.ndarray, some: _Averages) -> None:
+        """Take over the means of some of the networks (n,)."""
+        self._compliance[rows] = some._compliance
+        self._multiplier[rows], self._thinness[rows] = some._multiplier, some._thinness
 
     def networks(self) -> LinearNetworks | UniformNetworks:
         """Those with the present means."""
-        multiplier = self._multiplier * self._thinness
         return self._setting.networks(
-            self._compliance, multiplier, self._storage, self._inertance, uniform=self._is_uniform
+            self._nodes,
+            self._stored,
+            self._compliance,
+            self._multiplier * self._thinness,
+            self._inertance,
+            uniform=not self._members[0].distributed,
         )
 
     def update(self, networks: LinearNetworks | UniformNetworks, pressure: np.ndarray) -> None:
         """Means over the motion at pressures (S, T, N)."""
-        before = self._compliance, self._multiplier, self._thinness
-        self._find(networks, pressure)
-        found, stays = (self._compliance, self._multiplier, self._thinness), self.settled[:, None]
-        self._compliance, self._multiplier, self._thinness = (
-            np.where(stays, old, new) for old, new in zip(before, found, strict=True)
-        )
-
-    def _find(self, networks: LinearNetworks | UniformNetworks, pressure: np.ndarray) -> None:
         if isinstance(networks, LinearNetworks) and (self._losses or self._fluids):
             flow = networks.flows(pressure)
             # A jump's first instant would count for a whole step: the later end represents it.
@@ -150,8 +166,15 @@ SLOPES = -1.0, 0.0
 class _Secant:
     """Values that are to be what they give, each sought by its own secant (Wegstein 1958)."""
 
-    def __init__(self) -> None:
-        self._before: tuple[np.ndarray, np.ndarray] | None = None
+    def __init__(self, before: tuple[np.ndarray, np.ndarray] | None = None) -> None:
+        self._before = before
+
+    def take(self, rows: np.ndarray) -> _Secant:
+        """The same for some of the values (n, ...)."""
+        if self._before is None:
+            return _Secant()
+        value, given = self._before
+        return _Secant((value[rows], given[rows]))
 
     def __call__(self, value: np.ndarray, given: np.ndarray) -> np.ndarray:
         """The next values, from the present ones and what they give."""

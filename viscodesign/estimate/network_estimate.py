@@ -12,6 +12,7 @@ from viscodesign.estimate.network_averages import averaged
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import CompressibleFluid, EstimateTerm, LossLaw, WallLaw
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True)
@@ -56,11 +57,16 @@ class NetworkEstimate:
             tuple(map(sum, zip(*inertances, strict=True))),
         )
 
-    @property
+    @cached_property
     def key(self) -> tuple[object, ...]:
         """Everything that the pressures depend on, within one setting."""
         laws = (self.distributed, self.wall, self.fluid)
         return (*laws, self.storage, self.losses, self.inertance)
+
+    @property
+    def is_nonlinear(self) -> bool:
+        """Whether any law enters by its mean."""
+        return self.wall is not None or self.fluid is not None or bool(self.losses)
 
     @property
     def averaged(self) -> AveragedNetwork:
@@ -92,13 +98,12 @@ class NetworkEstimate:
 def average_all(wanted: Sequence[NetworkEstimate]) -> list[AveragedNetwork]:
     """Networks of one setting with their means, those of equal structure side by side."""
     setting = wanted[0].setting
-    alike: defaultdict[tuple[object, ...], dict[object, NetworkEstimate]] = defaultdict(dict)
+    alike: defaultdict[tuple[bool, tuple[str, ...]], dict[object, NetworkEstimate]]
+    alike = defaultdict(dict)
     for one in wanted:
         if one.key not in setting.averages:
             stores = setting.stores(name for name, _ in one.storage)
-            is_nonlinear = one.wall is not None or one.fluid is not None or bool(one.losses)
-            structure = (one.distributed, bool(one.inertance), stores, is_nonlinear)
-            alike[structure][one.key] = one
+            alike[one.distributed, stores][one.key] = one
     for group in alike.values():
         networks, pressure = averaged(setting, list(group.values()))
         for row, key in enumerate(group):

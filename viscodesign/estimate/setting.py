@@ -111,26 +111,35 @@ class EstimateSetting:
         """Those of these nodes that store without being a bellow, and the syringes."""
         return (*(n for n in names if n in self.graph.junctions), *self.syringes)
 
+    def nodes_storing(self, names: Iterable[str]) -> tuple[str, ...]:
+        """All nodes that store, where these nodes do so besides: the bellows first."""
+        return (*self.graph.bellows, *self.stores(names))
+
+    def stored(self, nodes: tuple[str, ...], storage: Sequence[Mapping[str, float]]) -> np.ndarray:
+        """Volume per pressure of nodes besides the bellows' own, for several networks (S, N)."""
+        both = [{**own, **self.syringes} for own in storage]
+        return np.array([[own.get(n, 0.0) for n in nodes] for own in both])
+
     def networks(
         self,
+        nodes: tuple[str, ...],
+        stored: np.ndarray,
         compliance: np.ndarray,
         multiplier: np.ndarray,
-        storage: Sequence[Mapping[str, float]],
         inertance: np.ndarray,
         uniform: bool,
     ) -> LinearNetworks | UniformNetworks:
-        """Linear networks of bellows (S, B), tubes (S, Q), and what else stores at equal nodes."""
-        graph, stores = self.graph, self.stores(storage[0])
-        nodes = (*graph.bellows, *stores)
-        held = [[{**own, **self.syringes}.get(n, 0.0) for n in nodes] for own in storage]
-        capacity = np.array(held)
+        """Linear networks of ``nodes``, bellows with a ``compliance`` (S, B), and tubes (S, Q).
+
+        ``stored`` (S, N): see `stored`; ``multiplier``: of the tubes' resistance.
+        """
+        capacity = stored.copy()
         capacity[:, : self.bellows] += compliance
         pushed = self.remembered(("pushed", nodes), lambda: self._pushed(nodes))
         if uniform:
             return self._uniform(nodes, capacity, pushed)
         resistance = self.resistance * multiplier
-        late = inertance / (TIME_OF_MODES * self.time[-1]) if inertance.size else 0.0
-        impedance = resistance + late
+        impedance = resistance + inertance / (TIME_OF_MODES * self.time[-1])
         incidence = self.remembered(("incidence", nodes), lambda: self._incidence(nodes))
         known = len(nodes) + len(self.pressure_inlets)
         tubes = self._tubes(incidence, known, 1 / impedance)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 
 import numpy as np
 
@@ -59,15 +59,13 @@ class SwingingRods:
 
     def _first_axes(self) -> Axes:
         """The axes at the networks' pressures, those of equal networks and loads once."""
-        networks, loads = self._networks, self._loads_of_each
-        keys = [(one.key, own) for one, own in zip(networks, loads, strict=True)]
-        first = {key: keys.index(key) for key in keys}
+        networks, loads, first = self._networks, self._loads_of_each, dict[Hashable, int]()
+        own = [first.setdefault((networks[k].key, loads[k]), k) for k in range(len(loads))]
         rows = list(first.values())
         some = LoadEstimates(
             self._setting, [networks[k] for k in rows], [loads[k] for k in rows]
         ).axes_at(self._pressure[rows])
-        place = {key: k for k, key in enumerate(first)}
-        return some.take([place[key] for key in keys])
+        return some.take([rows.index(k) for k in own])
 
     # -- inertia and damping ----------------------------------------------------
 
