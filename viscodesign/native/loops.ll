@@ -1,4 +1,4 @@
-; made from 92833b02981cd4b18ce82bb07825d78a4711973d701f48f0f9be82a910fcfbe5
+; made from 286fc699ff560b2504bca0276de30991182d61c06533d2c48b39190c43162c85
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -2306,7 +2306,7 @@ entry:
   %.170 = load i64, ptr %.169, align 8
   %5 = getelementptr double, ptr %.164, i64 %.170
   %.173 = getelementptr i8, ptr %5, i64 8
-  %.178 = getelementptr i8, ptr %arg.layout, i64 256
+  %.178 = getelementptr i8, ptr %arg.layout, i64 48
   %.179 = load i64, ptr %.178, align 8
   %.181 = getelementptr double, ptr %.173, i64 %.179
   %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
@@ -4159,7 +4159,7 @@ entry:
   %.170 = load i64, ptr %.169, align 8
   %5 = getelementptr double, ptr %.164, i64 %.170
   %.173 = getelementptr i8, ptr %5, i64 8
-  %.178 = getelementptr i8, ptr %arg.layout, i64 256
+  %.178 = getelementptr i8, ptr %arg.layout, i64 48
   %.179 = load i64, ptr %.178, align 8
   %.181 = getelementptr double, ptr %.173, i64 %.179
   %6 = getelementptr double, ptr %arg.edges, i64 %arg.edge_count
@@ -10036,34 +10036,25 @@ entry:
   store ptr null, ptr %.2124, align 8
   %excinfo.41 = alloca ptr, align 8
   store ptr null, ptr %excinfo.41, align 8
-  %0 = add nuw i64 %arg.rows, 31
-  %.98 = lshr i64 %0, 5
-  %.75.inv = icmp slt i64 %arg.rows, 1
-  %.120401.not408 = icmp eq i64 %.98, 0
-  %.120401.not = select i1 %.75.inv, i1 true, i1 %.120401.not408
-  br i1 %.120401.not, label %B3004, label %B52.lr.ph
-
-B52.lr.ph:
-  %.64.1404 = add nsw i64 %.98, -1
-  %.276398.not = icmp slt i64 %arg.steps, 1
-  br label %B52
+  %.75 = icmp slt i64 %arg.rows, 1
+  br i1 %.75, label %B0.endif.endif, label %B0.endif.else
 
 B48.loopexit:
-  %.120 = icmp sgt i64 %.64.1406, 0
-  %.133 = add i64 %.61.1405, 32
-  %.61.1 = select i1 %.120, i64 %.133, i64 %.61.1405
+  %.120 = icmp sgt i64 %.64.1405, 0
+  %.133 = add i64 %.61.1404, 6
+  %.61.1 = select i1 %.120, i64 %.133, i64 %.61.1404
   %.129 = sext i1 %.120 to i64
-  %.64.1 = add nsw i64 %.64.1406, %.129
-  %.110.sroa.0.0 = select i1 %.120, i64 %.61.1405, i64 0
+  %.64.1 = add nsw i64 %.64.1405, %.129
+  %.110.sroa.0.0 = select i1 %.120, i64 %.61.1404, i64 0
   br i1 %.120, label %B52, label %B3004
 
 B52:
-  %.110.sroa.0.0407 = phi i64 [ 0, %B52.lr.ph ], [ %.110.sroa.0.0, %B48.loopexit ]
-  %.64.1406 = phi i64 [ %.64.1404, %B52.lr.ph ], [ %.64.1, %B48.loopexit ]
-  %.61.1405 = phi i64 [ 32, %B52.lr.ph ], [ %.61.1, %B48.loopexit ]
-  %.163 = sub nsw i64 %arg.rows, %.110.sroa.0.0407
+  %.110.sroa.0.0406 = phi i64 [ 0, %B52.lr.ph ], [ %.110.sroa.0.0, %B48.loopexit ]
+  %.64.1405 = phi i64 [ %.64.1403, %B52.lr.ph ], [ %.64.1, %B48.loopexit ]
+  %.61.1404 = phi i64 [ 6, %B52.lr.ph ], [ %.61.1, %B48.loopexit ]
+  %.163 = sub nsw i64 %arg.rows, %.110.sroa.0.0406
   store i64 0, ptr %.166, align 8
-  %.172 = call i32 @numba.73(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 32, i64 %.163)
+  %.172 = call i32 @numba.73(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 6, i64 %.163)
   %.182 = load i64, ptr %.166, align 8
   switch i32 %.172, label %B52.if [
     i32 -2, label %B52.endif
@@ -10087,9 +10078,9 @@ B380:
   %.418 = load i64, ptr %.417, align 8
   %.422 = getelementptr i64, ptr %arg.strides, i64 %.416
   %.423 = load i64, ptr %.422, align 8
-  %.425 = mul nsw i64 %.423, %.110.sroa.0.0407
-  %1 = getelementptr double, ptr %arg.given, i64 %.418
-  %.428 = getelementptr double, ptr %1, i64 %.425
+  %.425 = mul nsw i64 %.423, %.110.sroa.0.0406
+  %0 = getelementptr double, ptr %arg.given, i64 %.418
+  %.428 = getelementptr double, ptr %0, i64 %.425
   store ptr null, ptr %.438, align 8
   %.442 = call i32 @pick.75(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
   switch i32 %.442, label %B380.if [
@@ -10101,10 +10092,10 @@ B494:
   %.332 = getelementptr i8, ptr %.320, i64 12
   %.333 = load i32, ptr %.332, align 4
   %.466 = sext i32 %.327 to i64
-  %.471.idx = shl nsw i64 %.466, 8
+  %.471.idx = mul nsw i64 %.466, 48
   %.471 = getelementptr i8, ptr %arg.room, i64 %.471.idx
   %.476 = sext i32 %.333 to i64
-  %.479.idx = shl nsw i64 %.476, 8
+  %.479.idx = mul nsw i64 %.476, 48
   %.479 = getelementptr i8, ptr %arg.room, i64 %.479.idx
   switch i32 %.321, label %B2982 [
     i32 2, label %B612
@@ -10152,9 +10143,9 @@ B612:
   %.500 = load i64, ptr %.499, align 8
   %.504 = getelementptr i64, ptr %arg.to, i64 %.476
   %.505 = load i64, ptr %.504, align 8
-  %.514 = mul nsw i64 %.500, %.110.sroa.0.0407
-  %2 = getelementptr double, ptr %arg.found, i64 %.505
-  %.517 = getelementptr double, ptr %2, i64 %.514
+  %.514 = mul nsw i64 %.500, %.110.sroa.0.0406
+  %1 = getelementptr double, ptr %arg.found, i64 %.505
+  %.517 = getelementptr double, ptr %1, i64 %.514
   store ptr null, ptr %.520, align 8
   %.524 = call i32 @put.76(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
   switch i32 %.524, label %B612.if [
@@ -10474,6 +10465,24 @@ B3005:
   %exitcond.not = icmp eq i64 %arg.steps, %.289
   br i1 %exitcond.not, label %B48.loopexit, label %B134.if
 
+B0.endif.else:
+  %.92 = urem i64 %arg.rows, 6
+  %.95.not = icmp ne i64 %.92, 0
+  %.96 = udiv i64 %arg.rows, 6
+  %.97 = zext i1 %.95.not to i64
+  %.98 = add nuw nsw i64 %.96, %.97
+  br label %B0.endif.endif
+
+B0.endif.endif:
+  %storemerge = phi i64 [ %.98, %B0.endif.else ], [ 0, %entry ]
+  %.120400 = icmp sgt i64 %storemerge, 0
+  br i1 %.120400, label %B52.lr.ph, label %B3004
+
+B52.lr.ph:
+  %.64.1403 = add nsw i64 %storemerge, -1
+  %.276397.not = icmp slt i64 %arg.steps, 1
+  br label %B52
+
 B52.if:
   %.180 = icmp sgt i32 %.172, 0
   %.173 = load ptr, ptr %excinfo.1, align 8
@@ -10482,12 +10491,12 @@ B52.if:
   br label %common.ret
 
 B52.endif:
-  br i1 %.276398.not, label %B48.loopexit, label %B134.if
+  br i1 %.276397.not, label %B48.loopexit, label %B134.if
 
 B134.if:
-  %.219.0399 = phi i64 [ %.289, %B3005 ], [ 0, %B52.endif ]
-  %.289 = add nuw nsw i64 %.219.0399, 1
-  %.320.idx = shl i64 %.219.0399, 4
+  %.219.0398 = phi i64 [ %.289, %B3005 ], [ 0, %B52.endif ]
+  %.289 = add nuw nsw i64 %.219.0398, 1
+  %.320.idx = shl i64 %.219.0398, 4
   %.320 = getelementptr i8, ptr %arg.code, i64 %.320.idx
   %.321 = load i32, ptr %.320, align 4
   %.326 = getelementptr i8, ptr %.320, i64 8
@@ -10495,7 +10504,7 @@ B134.if:
   %.347 = getelementptr i8, ptr %.320, i64 4
   %.348 = load i32, ptr %.347, align 4
   %.349 = sext i32 %.348 to i64
-  %.352.idx = shl nsw i64 %.349, 8
+  %.352.idx = mul nsw i64 %.349, 48
   %.352 = getelementptr i8, ptr %arg.room, i64 %.352.idx
   switch i32 %.321, label %B494 [
     i32 0, label %B310
@@ -12010,6 +12019,835 @@ B886.if:
   store double %.1014, ptr %.1040, align 8
   %.931 = icmp sgt i64 %.878.0220, 1
   br i1 %.931, label %B886.if, label %B170.loopexit
+}
+
+define i64 @have_signs(i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @have_signs.114(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  ret i64 0
+}
+
+define internal i32 @have_signs.114(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
+entry:
+  %.32 = add i64 %arg.width, 1
+  %.123287.not = icmp slt i64 %arg.matrices, 1
+  br i1 %.123287.not, label %B784, label %B68.if.lr.ph
+
+B68.if.lr.ph:
+  %.31 = add nsw i64 %arg.width, %arg.count
+  %.33 = mul nsw i64 %.31, %.32
+  %0 = call i64 @llvm.smax.i64(i64 %.33, i64 0)
+  %storemerge267 = shl nuw i64 %0, 1
+  %.245272 = icmp sgt i64 %storemerge267, 0
+  %.371275.not = icmp slt i64 %arg.entries, 1
+  %1 = getelementptr double, ptr %arg.band, i64 %.33
+  %.555284.not = icmp slt i64 %arg.count, 1
+  %storemerge270 = call i64 @llvm.smax.i64(i64 %arg.width, i64 0)
+  %.722281.not = icmp slt i64 %arg.width, 1
+  %2 = getelementptr double, ptr %arg.band, i64 %.33
+  %3 = getelementptr double, ptr %arg.band, i64 %.33
+  %4 = shl i64 %0, 4
+  br label %B68.if
+
+B124:
+  br i1 %.371275.not, label %B306, label %B154.if.lr.ph
+
+B154.if.lr.ph:
+  %.421 = mul nuw nsw i64 %.64.0288, %arg.entries
+  %5 = getelementptr double, ptr %arg.data, i64 %.421
+  %.445 = mul nuw nsw i64 %.64.0288, %arg.entries
+  %6 = getelementptr double, ptr %arg.data, i64 %.445
+  br label %B154.if
+
+B182:
+  %.416 = zext nneg i32 %.415 to i64
+  %.425 = getelementptr double, ptr %5, i64 %.315.0276
+  %.426 = load double, ptr %.425, align 8
+  %.433 = getelementptr double, ptr %arg.band, i64 %.416
+  store double %.426, ptr %.433, align 8
+  br label %B228
+
+B228:
+  %.438 = getelementptr i32, ptr %arg.upper, i64 %.315.0276
+  %.439 = load i32, ptr %.438, align 4
+  %.441 = icmp sgt i32 %.439, -1
+  br i1 %.441, label %B252, label %B304
+
+B252:
+  %.440 = zext nneg i32 %.439 to i64
+  %.449 = getelementptr double, ptr %6, i64 %.315.0276
+  %.450 = load double, ptr %.449, align 8
+  %.461 = getelementptr double, ptr %1, i64 %.440
+  store double %.450, ptr %.461, align 8
+  br label %B304
+
+B304:
+  %exitcond.not = icmp eq i64 %arg.entries, %.384
+  br i1 %exitcond.not, label %B306, label %B154.if
+
+B306:
+  %.473 = getelementptr i64, ptr %arg.found, i64 %.64.0288
+  store i64 1, ptr %.473, align 8
+  br i1 %.555284.not, label %B780, label %B346.if
+
+B346.loopexit:
+  %exitcond292.not = icmp eq i64 %arg.count, %.568
+  br i1 %exitcond292.not, label %B780, label %B346.if
+
+B422:
+  store i64 0, ptr %.473, align 8
+  br label %B780
+
+B436:
+  br i1 %.722281.not, label %B346.loopexit, label %B468.if.lr.ph
+
+B468.if.lr.ph:
+  %7 = getelementptr double, ptr %2, i64 %.598
+  br label %B468.if
+
+B512:
+  %.781 = getelementptr double, ptr %.612, i64 %.666.0282
+  %.782 = load double, ptr %.781, align 8
+  %.783 = fcmp contract une double %.782, 0.000000e+00
+  br i1 %.783, label %B542, label %B776
+
+B542:
+  %.795 = fdiv contract double %.774, %.613
+  %.800 = getelementptr double, ptr %.612, i64 %.666.0282
+  %.801 = load double, ptr %.800, align 8
+  %.806 = fdiv contract double %.801, %.613
+  %.851 = sub i64 %.32, %.666.0282
+  %.894278.not = icmp slt i64 %.851, 1
+  br i1 %.894278.not, label %B776, label %B630.if.lr.ph
+
+B630.if.lr.ph:
+  %.934 = mul nsw i64 %.765, %.32
+  %.935 = sub i64 %.934, %.666.0282
+  br label %B630.if
+
+B776:
+  %exitcond291.not = icmp eq i64 %.666.0282, %storemerge270
+  br i1 %exitcond291.not, label %B346.loopexit, label %B468.if
+
+B780:
+  %exitcond293.not = icmp eq i64 %.136, %arg.matrices
+  br i1 %exitcond293.not, label %B784, label %B68.if
+
+B784:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B68.if:
+  %.64.0288 = phi i64 [ 0, %B68.if.lr.ph ], [ %.136, %B780 ]
+  %.136 = add nuw nsw i64 %.64.0288, 1
+  br i1 %.245272, label %B108.if.preheader, label %B124
+
+B108.if.preheader:
+  call void @llvm.memset.p0.i64(ptr align 8 %arg.band, i8 0, i64 %4, i1 false)
+  br label %B124
+
+B154.if:
+  %.315.0276 = phi i64 [ 0, %B154.if.lr.ph ], [ %.384, %B304 ]
+  %.384 = add nuw nsw i64 %.315.0276, 1
+  %.414 = getelementptr i32, ptr %arg.lower, i64 %.315.0276
+  %.415 = load i32, ptr %.414, align 4
+  %.417 = icmp sgt i32 %.415, -1
+  br i1 %.417, label %B182, label %B228
+
+B346.if:
+  %.499.0285 = phi i64 [ %.568, %B346.loopexit ], [ 0, %B306 ]
+  %.568 = add nuw nsw i64 %.499.0285, 1
+  %.598 = mul nsw i64 %.499.0285, %.32
+  %.612 = getelementptr double, ptr %arg.band, i64 %.598
+  %.613 = load double, ptr %.612, align 8
+  %.619 = getelementptr double, ptr %arg.signs, i64 %.499.0285
+  %.620 = load double, ptr %.619, align 8
+  %.622 = fmul contract double %.613, %.620
+  %.623 = fcmp contract olt double %.622, 0.000000e+00
+  br i1 %.623, label %B436, label %B422
+
+B468.if:
+  %.666.0282 = phi i64 [ 1, %B468.if.lr.ph ], [ %.735, %B776 ]
+  %.735 = add nuw i64 %.666.0282, 1
+  %.765 = add nuw nsw i64 %.666.0282, %.499.0285
+  %.773 = getelementptr double, ptr %7, i64 %.666.0282
+  %.774 = load double, ptr %.773, align 8
+  %.775 = fcmp contract une double %.774, 0.000000e+00
+  br i1 %.775, label %B542, label %B512
+
+B630.if:
+  %.838.0279 = phi i64 [ %.666.0282, %B630.if.lr.ph ], [ %.907, %B630.if ]
+  %.907 = add nuw i64 %.838.0279, 1
+  %.937 = add i64 %.935, %.838.0279
+  %.939 = getelementptr double, ptr %arg.band, i64 %.937
+  %.940 = load double, ptr %.939, align 8
+  %.944 = getelementptr double, ptr %.612, i64 %.838.0279
+  %.945 = load double, ptr %.944, align 8
+  %.947 = fmul contract double %.795, %.945
+  %.948 = fsub contract double %.940, %.947
+  store double %.948, ptr %.939, align 8
+  %.955 = getelementptr double, ptr %3, i64 %.937
+  %.956 = load double, ptr %.955, align 8
+  %.960 = getelementptr double, ptr %7, i64 %.838.0279
+  %.961 = load double, ptr %.960, align 8
+  %.963 = fmul contract double %.806, %.961
+  %.964 = fsub contract double %.956, %.963
+  store double %.964, ptr %.955, align 8
+  %exitcond290.not = icmp eq i64 %.838.0279, %arg.width
+  br i1 %exitcond290.not, label %B776, label %B630.if
+}
+
+define i64 @follow_equilibria(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23) {
+  %r = alloca i64, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @follow_equilibria.115(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
+  %v = load i64, ptr %r, align 8
+  ret i64 %v
+}
+
+define internal i32 @follow_equilibria.115(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+entry:
+  %.291 = alloca ptr, align 8
+  store ptr null, ptr %.291, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.475 = alloca ptr, align 8
+  store ptr null, ptr %.475, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.520 = alloca ptr, align 8
+  store ptr null, ptr %.520, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.553 = alloca i64, align 8
+  store i64 0, ptr %.553, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.711 = alloca ptr, align 8
+  store ptr null, ptr %.711, align 8
+  %excinfo.5 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.5, align 8
+  %.745 = alloca ptr, align 8
+  store ptr null, ptr %.745, align 8
+  %excinfo.6 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.6, align 8
+  %.920 = alloca ptr, align 8
+  store ptr null, ptr %.920, align 8
+  %excinfo.7 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.7, align 8
+  %.951 = alloca i64, align 8
+  store i64 0, ptr %.951, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.998 = alloca ptr, align 8
+  store ptr null, ptr %.998, align 8
+  %excinfo.9 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.9, align 8
+  %.1025 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1025, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.1082 = alloca ptr, align 8
+  store ptr null, ptr %.1082, align 8
+  %excinfo.11 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.11, align 8
+  %.1155 = alloca i64, align 8
+  store i64 0, ptr %.1155, align 8
+  %excinfo.12 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.12, align 8
+  %.1258 = alloca ptr, align 8
+  store ptr null, ptr %.1258, align 8
+  %excinfo.13 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.13, align 8
+  %.1286 = alloca ptr, align 8
+  store ptr null, ptr %.1286, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
+  %.1318 = alloca ptr, align 8
+  store ptr null, ptr %.1318, align 8
+  %excinfo.15 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.15, align 8
+  %.76 = load i64, ptr %arg.layout, align 8
+  %.78 = getelementptr i8, ptr %arg.layout, i64 16
+  %.79 = load i64, ptr %.78, align 8
+  %.85 = getelementptr double, ptr %arg.work, i64 %.76
+  %.idx = shl i64 %.76, 4
+  %0 = getelementptr i8, ptr %arg.work, i64 %.idx
+  %.89 = getelementptr i8, ptr %0, i64 8
+  %.101 = getelementptr double, ptr %.89, i64 %.76
+  %.108.idx = shl i64 %arg.blocks, 5
+  %.108 = getelementptr i8, ptr %.101, i64 %.108.idx
+  %.115.idx = shl i64 %arg.blocks, 4
+  %.115 = getelementptr i8, ptr %.108, i64 %.115.idx
+  %.120 = getelementptr double, ptr %.115, i64 %.79
+  %.126 = getelementptr i8, ptr %arg.layout, i64 24
+  %.127 = load i64, ptr %.126, align 8
+  %1 = getelementptr double, ptr %.120, i64 %.79
+  %2 = getelementptr i8, ptr %1, i64 8
+  %.130 = getelementptr double, ptr %2, i64 %.127
+  %.135 = getelementptr i8, ptr %arg.layout, i64 48
+  %.136 = load i64, ptr %.135, align 8
+  %.138 = getelementptr double, ptr %.130, i64 %.136
+  %.225351 = icmp sgt i64 %arg.count, 0
+  br i1 %.225351, label %B458.lr.ph, label %B1744
+
+B458.lr.ph:
+  %.169.1354 = add nsw i64 %arg.count, -1
+  %.267 = getelementptr i8, ptr %arg.clock, i64 8
+  %.316 = getelementptr i8, ptr %arg.settings, i64 24
+  %.403345.not360 = icmp slt i64 %.76, 1
+  %.504 = getelementptr i8, ptr %arg.layout, i64 8
+  %3 = getelementptr double, ptr %arg.Y, i64 %.76
+  %.551 = getelementptr i8, ptr %arg.settings, i64 16
+  %.849348.not = icmp slt i64 %.76, 1
+  %.913 = getelementptr i32, ptr %arg.lu_start, i64 %arg.blocks
+  %.1057 = getelementptr i8, ptr %arg.settings, i64 8
+  %.1148 = getelementptr i8, ptr %arg.settings, i64 32
+  %.267.promoted = load double, ptr %.267, align 8
+  %arg.clock.promoted = load double, ptr %arg.clock, align 8
+  br label %B458
+
+B458:
+  %.268358359 = phi double [ %arg.clock.promoted, %B458.lr.ph ], [ %.268358, %B1560.endif.endif.endif ]
+  %.268358 = phi double [ %.267.promoted, %B458.lr.ph ], [ %.276, %B1560.endif.endif.endif ]
+  %.215.sroa.0.0357 = phi i64 [ 0, %B458.lr.ph ], [ %.215.sroa.0.0, %B1560.endif.endif.endif ]
+  %.169.1356 = phi i64 [ %.169.1354, %B458.lr.ph ], [ %.169.1, %B1560.endif.endif.endif ]
+  %.166.1355 = phi i64 [ 1, %B458.lr.ph ], [ %.166.1, %B1560.endif.endif.endif ]
+  %.272 = fsub contract double %.268358, %.268358359
+  %.275 = getelementptr double, ptr %arg.times, i64 %.215.sroa.0.0357
+  %.276 = load double, ptr %.275, align 8
+  %.280 = fsub contract double %.276, %.268358
+  store ptr null, ptr %.291, align 8
+  %.295 = call i32 @copy.27(ptr nonnull %.291, ptr nonnull %excinfo.1, i64 %.76, ptr %arg.now, ptr %arg.work)
+  switch i32 %.295, label %B458.if [
+    i32 -2, label %B458.endif
+    i32 0, label %B458.endif
+  ]
+
+B632.if.lr.ph:
+  %.449 = fdiv contract double %.280, %.272
+  br label %B632.if
+
+B712:
+  store ptr null, ptr %.475, align 8
+  %.479 = call i32 @copy.27(ptr nonnull %.475, ptr nonnull %excinfo.2, i64 %.76, ptr %arg.work, ptr %arg.Y)
+  switch i32 %.479, label %B712.if [
+    i32 -2, label %B712.endif
+    i32 0, label %B712.endif
+  ]
+
+B946:
+  %.603.0 = phi i64 [ %storemerge231, %B712.endif.endif.endif ], [ %.670, %B1384.endif ]
+  %size.2.1 = phi double [ 0x7FF0000000000000, %B712.endif.endif.endif ], [ %.1039, %B1384.endif ]
+  %.661 = icmp sgt i64 %.603.0, 0
+  br i1 %.661, label %B948.if, label %B1552
+
+B1102:
+  %.898 = getelementptr double, ptr %.85, i64 %.793.0349
+  store double 0.000000e+00, ptr %.898, align 8
+  br label %B1112
+
+B1112:
+  %exitcond481.not = icmp eq i64 %.76, %.862
+  br i1 %exitcond481.not, label %B1114, label %B1074.if
+
+B1114:
+  %.914 = load i32, ptr %.913, align 4
+  store ptr null, ptr %.920, align 8
+  %.924 = call i32 @lu_fill.23(ptr nonnull %.920, ptr nonnull %excinfo.7, i64 %.76, i32 %.914, ptr %.120, ptr %arg.own, ptr %arg.mass, double 1.000000e+00, ptr %.115)
+  switch i32 %.924, label %B1114.if [
+    i32 -2, label %B1114.endif
+    i32 0, label %B1114.endif
+  ]
+
+B1220:
+  store ptr null, ptr %.998, align 8
+  %.1002 = call i32 @lu_solve.19(ptr nonnull %.998, ptr nonnull %excinfo.9, i64 %.76, ptr %arg.slots, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.115, ptr %.85, ptr %.89, ptr %.108)
+  switch i32 %.1002, label %B1220.if [
+    i32 -2, label %B1220.endif
+    i32 0, label %B1220.endif
+  ]
+
+B1340:
+  %.1058 = load double, ptr %.1057, align 8
+  %.1060 = fmul contract double %size.2.1, %.1058
+  %.1064 = fcmp contract ogt double %.1039, %.1060
+  br i1 %.1064, label %B1552, label %B1384
+
+B1384:
+  store ptr null, ptr %.1082, align 8
+  %.1086 = call i32 @add_scaled.29(ptr nonnull %.1082, ptr nonnull %excinfo.11, i64 %.76, double 1.000000e+00, ptr %.89, ptr %arg.Y)
+  switch i32 %.1086, label %B1384.if [
+    i32 -2, label %B1384.endif
+    i32 0, label %B1384.endif
+  ]
+
+B1482:
+  %.1149 = load double, ptr %.1148, align 8
+  store i64 0, ptr %.1155, align 8
+  %.1159 = call i32 @is_far.116(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
+  switch i32 %.1159, label %B1482.if [
+    i32 -2, label %B1482.endif
+    i32 0, label %B1482.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B1552 ], [ 0, %B1744 ], [ %.1322, %B1560.endif.endif.if ], [ %.1290, %B1560.endif.if ], [ %.1262, %B1560.if ], [ %.295, %B458.if ], [ %.479, %B712.if ], [ %.524, %B712.endif.if ], [ %.1159, %B1482.if ], [ %.557, %B712.endif.endif.if ], [ %.715, %B950.if ], [ %.1086, %B1384.if ], [ %.749, %B950.endif.if ], [ %.924, %B1114.if ], [ %.955, %B1114.endif.if ], [ %.1002, %B1220.if ], [ %.1029, %B1220.endif.if ]
+  ret i32 %common.ret.op
+
+B1552:
+  store i64 %.215.sroa.0.0357, ptr %retptr, align 8
+  br label %common.ret
+
+B1560:
+  store ptr null, ptr %.1258, align 8
+  %.1262 = call i32 @copy.27(ptr nonnull %.1258, ptr nonnull %excinfo.13, i64 %.76, ptr %arg.now, ptr %arg.before)
+  switch i32 %.1262, label %B1560.if [
+    i32 -2, label %B1560.endif
+    i32 0, label %B1560.endif
+  ]
+
+B1744:
+  store i64 %arg.count, ptr %retptr, align 8
+  br label %common.ret
+
+B458.if:
+  %.303 = icmp sgt i32 %.295, 0
+  %.296 = load ptr, ptr %excinfo.1, align 8
+  %.304 = select i1 %.303, ptr %.296, ptr undef
+  store ptr %.304, ptr %excinfo, align 8
+  br label %common.ret
+
+B458.endif:
+  %.317 = load double, ptr %.316, align 8
+  %.319 = fmul contract double %.272, %.317
+  %.321 = fcmp contract ugt double %.280, %.319
+  %brmerge = select i1 %.321, i1 true, i1 %.403345.not360
+  br i1 %brmerge, label %B712, label %B632.if.lr.ph
+
+B632.if:
+  %.347.0346 = phi i64 [ 0, %B632.if.lr.ph ], [ %.416, %B632.if ]
+  %.416 = add nuw nsw i64 %.347.0346, 1
+  %.442 = getelementptr double, ptr %arg.work, i64 %.347.0346
+  %.443 = load double, ptr %.442, align 8
+  %.451 = getelementptr double, ptr %arg.now, i64 %.347.0346
+  %.452 = load double, ptr %.451, align 8
+  %.454 = getelementptr double, ptr %arg.before, i64 %.347.0346
+  %.455 = load double, ptr %.454, align 8
+  %.456 = fsub contract double %.452, %.455
+  %.457 = fmul contract double %.449, %.456
+  %.458 = fadd contract double %.443, %.457
+  store double %.458, ptr %.442, align 8
+  %exitcond.not = icmp eq i64 %.76, %.416
+  br i1 %exitcond.not, label %B712, label %B632.if
+
+B712.if:
+  %.487 = icmp sgt i32 %.479, 0
+  %.480 = load ptr, ptr %excinfo.2, align 8
+  %.488 = select i1 %.487, ptr %.480, ptr undef
+  store ptr %.488, ptr %excinfo, align 8
+  br label %common.ret
+
+B712.endif:
+  %.505 = load i64, ptr %.504, align 8
+  %.509 = getelementptr double, ptr %3, i64 %.505
+  store double %.276, ptr %.509, align 8
+  store ptr null, ptr %.520, align 8
+  %.524 = call i32 @drive.6(ptr nonnull %.520, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.130, ptr %.138)
+  switch i32 %.524, label %B712.endif.if [
+    i32 -2, label %B712.endif.endif
+    i32 0, label %B712.endif.endif
+  ]
+
+B712.endif.if:
+  %.532 = icmp sgt i32 %.524, 0
+  %.525 = load ptr, ptr %excinfo.3, align 8
+  %.533 = select i1 %.532, ptr %.525, ptr undef
+  store ptr %.533, ptr %excinfo, align 8
+  br label %common.ret
+
+B712.endif.endif:
+  %.552 = load double, ptr %.551, align 8
+  store i64 0, ptr %.553, align 8
+  %.557 = call i32 @numba.117(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
+  switch i32 %.557, label %B712.endif.endif.if [
+    i32 -2, label %B712.endif.endif.endif
+    i32 0, label %B712.endif.endif.endif
+  ]
+
+B712.endif.endif.if:
+  %.565 = icmp sgt i32 %.557, 0
+  %.558 = load ptr, ptr %excinfo.4, align 8
+  %.566 = select i1 %.565, ptr %.558, ptr undef
+  store ptr %.566, ptr %excinfo, align 8
+  br label %common.ret
+
+B712.endif.endif.endif:
+  %.567 = load i64, ptr %.553, align 8
+  %storemerge231 = call i64 @llvm.smax.i64(i64 %.567, i64 0)
+  br label %B946
+
+B948.if:
+  %.670 = add nsw i64 %.603.0, -1
+  store ptr null, ptr %.711, align 8
+  %.715 = call i32 @residual.0(ptr nonnull %.711, ptr nonnull %excinfo.5, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.85, ptr %.130, ptr %.138)
+  switch i32 %.715, label %B950.if [
+    i32 -2, label %B950.endif
+    i32 0, label %B950.endif
+  ]
+
+B950.if:
+  %.723 = icmp sgt i32 %.715, 0
+  %.716 = load ptr, ptr %excinfo.5, align 8
+  %.724 = select i1 %.723, ptr %.716, ptr undef
+  store ptr %.724, ptr %excinfo, align 8
+  br label %common.ret
+
+B950.endif:
+  store ptr null, ptr %.745, align 8
+  %.749 = call i32 @jacobian.4(ptr nonnull %.745, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.120, ptr %.130, ptr %.138)
+  switch i32 %.749, label %B950.endif.if [
+    i32 -2, label %B950.endif.endif
+    i32 0, label %B950.endif.endif
+  ]
+
+B950.endif.if:
+  %.757 = icmp sgt i32 %.749, 0
+  %.750 = load ptr, ptr %excinfo.6, align 8
+  %.758 = select i1 %.757, ptr %.750, ptr undef
+  store ptr %.758, ptr %excinfo, align 8
+  br label %common.ret
+
+B950.endif.endif:
+  br i1 %.849348.not, label %B1114, label %B1074.if
+
+B1074.if:
+  %.793.0349 = phi i64 [ %.862, %B1112 ], [ 0, %B950.endif.endif ]
+  %.862 = add nuw nsw i64 %.793.0349, 1
+  %.892 = getelementptr double, ptr %arg.mass, i64 %.793.0349
+  %.893 = load double, ptr %.892, align 8
+  %.894 = fcmp contract une double %.893, 0.000000e+00
+  br i1 %.894, label %B1102, label %B1112
+
+B1114.if:
+  %.932 = icmp sgt i32 %.924, 0
+  %.925 = load ptr, ptr %excinfo.7, align 8
+  %.933 = select i1 %.932, ptr %.925, ptr undef
+  store ptr %.933, ptr %excinfo, align 8
+  br label %common.ret
+
+B1114.endif:
+  store i64 0, ptr %.951, align 8
+  %.955 = call i32 @lu_factor.17(ptr nonnull %.951, ptr nonnull %excinfo.8, i64 %arg.blocks, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %.115, ptr %.101)
+  switch i32 %.955, label %B1114.endif.if [
+    i32 -2, label %B1114.endif.endif
+    i32 0, label %B1114.endif.endif
+  ]
+
+B1114.endif.if:
+  %.963 = icmp sgt i32 %.955, 0
+  %.956 = load ptr, ptr %excinfo.8, align 8
+  %.964 = select i1 %.963, ptr %.956, ptr undef
+  store ptr %.964, ptr %excinfo, align 8
+  br label %common.ret
+
+B1114.endif.endif:
+  %.965 = load i64, ptr %.951, align 8
+  %.975.not = icmp eq i64 %.965, 0
+  br i1 %.975.not, label %B1220, label %B1552
+
+B1220.if:
+  %.1010 = icmp sgt i32 %.1002, 0
+  %.1003 = load ptr, ptr %excinfo.9, align 8
+  %.1011 = select i1 %.1010, ptr %.1003, ptr undef
+  store ptr %.1011, ptr %excinfo, align 8
+  br label %common.ret
+
+B1220.endif:
+  store double 0.000000e+00, ptr %.1025, align 8
+  %.1029 = call i32 @largest_of.118(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
+  %.1039 = load double, ptr %.1025, align 8
+  switch i32 %.1029, label %B1220.endif.if [
+    i32 -2, label %B1220.endif.endif
+    i32 0, label %B1220.endif.endif
+  ]
+
+B1220.endif.if:
+  %.1037 = icmp sgt i32 %.1029, 0
+  %.1030 = load ptr, ptr %excinfo.10, align 8
+  %.1038 = select i1 %.1037, ptr %.1030, ptr undef
+  store ptr %.1038, ptr %excinfo, align 8
+  br label %common.ret
+
+B1220.endif.endif:
+  %.1053 = fsub contract double %.1039, %.1039
+  %.1054 = fcmp contract ord double %.1053, 0.000000e+00
+  br i1 %.1054, label %B1340, label %B1552
+
+B1384.if:
+  %.1094 = icmp sgt i32 %.1086, 0
+  %.1087 = load ptr, ptr %excinfo.11, align 8
+  %.1095 = select i1 %.1094, ptr %.1087, ptr undef
+  store ptr %.1095, ptr %excinfo, align 8
+  br label %common.ret
+
+B1384.endif:
+  %.1114 = load double, ptr %arg.settings, align 8
+  %.1116 = fcmp contract ugt double %.1039, %.1114
+  br i1 %.1116, label %B946, label %B1482
+
+B1482.if:
+  %.1167 = icmp sgt i32 %.1159, 0
+  %.1160 = load ptr, ptr %excinfo.12, align 8
+  %.1168 = select i1 %.1167, ptr %.1160, ptr undef
+  store ptr %.1168, ptr %excinfo, align 8
+  br label %common.ret
+
+B1482.endif:
+  %.1169 = load i64, ptr %.1155, align 8
+  %.1179.not = icmp eq i64 %.1169, 0
+  br i1 %.1179.not, label %B1560, label %B1552
+
+B1560.if:
+  %.1270 = icmp sgt i32 %.1262, 0
+  %.1263 = load ptr, ptr %excinfo.13, align 8
+  %.1271 = select i1 %.1270, ptr %.1263, ptr undef
+  store ptr %.1271, ptr %excinfo, align 8
+  br label %common.ret
+
+B1560.endif:
+  store ptr null, ptr %.1286, align 8
+  %.1290 = call i32 @copy.27(ptr nonnull %.1286, ptr nonnull %excinfo.14, i64 %.76, ptr %arg.Y, ptr %arg.now)
+  switch i32 %.1290, label %B1560.endif.if [
+    i32 -2, label %B1560.endif.endif
+    i32 0, label %B1560.endif.endif
+  ]
+
+B1560.endif.if:
+  %.1298 = icmp sgt i32 %.1290, 0
+  %.1291 = load ptr, ptr %excinfo.14, align 8
+  %.1299 = select i1 %.1298, ptr %.1291, ptr undef
+  store ptr %.1299, ptr %excinfo, align 8
+  br label %common.ret
+
+B1560.endif.endif:
+  %.1313 = mul nsw i64 %.215.sroa.0.0357, %.76
+  %.1315 = getelementptr double, ptr %arg.outputs, i64 %.1313
+  store ptr null, ptr %.1318, align 8
+  %.1322 = call i32 @copy.27(ptr nonnull %.1318, ptr nonnull %excinfo.15, i64 %.76, ptr %arg.Y, ptr %.1315)
+  switch i32 %.1322, label %B1560.endif.endif.if [
+    i32 -2, label %B1560.endif.endif.endif
+    i32 0, label %B1560.endif.endif.endif
+  ]
+
+B1560.endif.endif.if:
+  %.1330 = icmp sgt i32 %.1322, 0
+  %.1323 = load ptr, ptr %excinfo.15, align 8
+  %.1331 = select i1 %.1330, ptr %.1323, ptr undef
+  store ptr %.1331, ptr %excinfo, align 8
+  br label %common.ret
+
+B1560.endif.endif.endif:
+  store double %.268358, ptr %arg.clock, align 8
+  store double %.276, ptr %.267, align 8
+  %.225 = icmp sgt i64 %.169.1356, 0
+  %.238 = zext i1 %.225 to i64
+  %.166.1 = add i64 %.166.1355, %.238
+  %.234 = sext i1 %.225 to i64
+  %.169.1 = add nsw i64 %.169.1356, %.234
+  %.215.sroa.0.0 = select i1 %.225, i64 %.166.1355, i64 0
+  br i1 %.225, label %B458, label %B1744
+}
+
+define internal i32 @is_far.116(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
+entry:
+  %.159 = alloca double, align 8
+  store double 0.000000e+00, ptr %.159, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.198 = alloca double, align 8
+  store double 0.000000e+00, ptr %.198, align 8
+  %excinfo.2 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.2, align 8
+  %.237 = alloca double, align 8
+  store double 0.000000e+00, ptr %.237, align 8
+  %excinfo.3 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.3, align 8
+  %.280 = alloca double, align 8
+  store double 0.000000e+00, ptr %.280, align 8
+  %excinfo.4 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.4, align 8
+  %.69 = sub i64 %arg.last, %arg.first
+  %.11450.not = icmp slt i64 %.69, 1
+  br i1 %.11450.not, label %B300, label %B48.if
+
+B300:
+  %moved.2.0.lcssa = phi double [ 0.000000e+00, %entry ], [ %.253, %B50.endif.endif.endif ]
+  %apart.2.0.lcssa = phi double [ 0.000000e+00, %entry ], [ %.214, %B50.endif.endif.endif ]
+  %size.2.0.lcssa = phi double [ 1.000000e+00, %entry ], [ %.175, %B50.endif.endif.endif ]
+  store double 0.000000e+00, ptr %.280, align 8
+  %.286 = call i32 @numba.21(ptr nonnull %.280, ptr nonnull %excinfo.4, double %apart.2.0.lcssa, double %moved.2.0.lcssa)
+  switch i32 %.286, label %B300.if [
+    i32 -2, label %B300.endif
+    i32 0, label %B300.endif
+  ]
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B346 ], [ 0, %B350 ], [ %.286, %B300.if ], [ %.243, %B50.endif.endif.if ], [ %.165, %B50.if ], [ %.204, %B50.endif.if ]
+  ret i32 %common.ret.op
+
+B346:
+  store i64 1, ptr %retptr, align 8
+  br label %common.ret
+
+B350:
+  store i64 0, ptr %retptr, align 8
+  br label %common.ret
+
+B48.if:
+  %size.2.055 = phi double [ %.175, %B50.endif.endif.endif ], [ 1.000000e+00, %entry ]
+  %apart.2.054 = phi double [ %.214, %B50.endif.endif.endif ], [ 0.000000e+00, %entry ]
+  %moved.2.053 = phi double [ %.253, %B50.endif.endif.endif ], [ 0.000000e+00, %entry ]
+  %.59.052 = phi i64 [ %.123, %B50.endif.endif.endif ], [ %.69, %entry ]
+  %.56.051 = phi i64 [ %.127, %B50.endif.endif.endif ], [ %arg.first, %entry ]
+  %.123 = add nsw i64 %.59.052, -1
+  %.127 = add i64 %.56.051, 1
+  %.153 = getelementptr double, ptr %arg.found, i64 %.56.051
+  %.154 = load double, ptr %.153, align 8
+  %.155 = call contract double @llvm.fabs.f64(double %.154)
+  store double 0.000000e+00, ptr %.159, align 8
+  %.165 = call i32 @numba.28(ptr nonnull %.159, ptr nonnull %excinfo.1, double %size.2.055, double %.155)
+  %.175 = load double, ptr %.159, align 8
+  switch i32 %.165, label %B50.if [
+    i32 -2, label %B50.endif
+    i32 0, label %B50.endif
+  ]
+
+B50.if:
+  %.173 = icmp sgt i32 %.165, 0
+  %.166 = load ptr, ptr %excinfo.1, align 8
+  %.174 = select i1 %.173, ptr %.166, ptr undef
+  store ptr %.174, ptr %excinfo, align 8
+  br label %common.ret
+
+B50.endif:
+  %.191 = getelementptr double, ptr %arg.guess, i64 %.56.051
+  %.192 = load double, ptr %.191, align 8
+  %.193 = fsub contract double %.154, %.192
+  %.194 = call contract double @llvm.fabs.f64(double %.193)
+  store double 0.000000e+00, ptr %.198, align 8
+  %.204 = call i32 @numba.28(ptr nonnull %.198, ptr nonnull %excinfo.2, double %apart.2.054, double %.194)
+  %.214 = load double, ptr %.198, align 8
+  switch i32 %.204, label %B50.endif.if [
+    i32 -2, label %B50.endif.endif
+    i32 0, label %B50.endif.endif
+  ]
+
+B50.endif.if:
+  %.212 = icmp sgt i32 %.204, 0
+  %.205 = load ptr, ptr %excinfo.2, align 8
+  %.213 = select i1 %.212, ptr %.205, ptr undef
+  store ptr %.213, ptr %excinfo, align 8
+  br label %common.ret
+
+B50.endif.endif:
+  %.230 = getelementptr double, ptr %arg.now, i64 %.56.051
+  %.231 = load double, ptr %.230, align 8
+  %.232 = fsub contract double %.154, %.231
+  %.233 = call contract double @llvm.fabs.f64(double %.232)
+  store double 0.000000e+00, ptr %.237, align 8
+  %.243 = call i32 @numba.28(ptr nonnull %.237, ptr nonnull %excinfo.3, double %moved.2.053, double %.233)
+  switch i32 %.243, label %B50.endif.endif.if [
+    i32 -2, label %B50.endif.endif.endif
+    i32 0, label %B50.endif.endif.endif
+  ]
+
+B50.endif.endif.if:
+  %.251 = icmp sgt i32 %.243, 0
+  %.244 = load ptr, ptr %excinfo.3, align 8
+  %.252 = select i1 %.251, ptr %.244, ptr undef
+  store ptr %.252, ptr %excinfo, align 8
+  br label %common.ret
+
+B50.endif.endif.endif:
+  %.253 = load double, ptr %.237, align 8
+  %.114 = icmp sgt i64 %.59.052, 1
+  br i1 %.114, label %B48.if, label %B300
+
+B300.if:
+  %.294 = icmp sgt i32 %.286, 0
+  %.287 = load ptr, ptr %excinfo.4, align 8
+  %.295 = select i1 %.294, ptr %.287, ptr undef
+  store ptr %.295, ptr %excinfo, align 8
+  br label %common.ret
+
+B300.endif:
+  %.296 = load double, ptr %.280, align 8
+  %.312 = fmul contract double %arg.near, %size.2.0.lcssa
+  %.317 = fcmp contract ogt double %.296, %.312
+  br i1 %.317, label %B346, label %B350
+}
+
+define internal i32 @numba.117(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+entry:
+  %.5 = fptosi double %arg.x to i64
+  store i64 %.5, ptr %retptr, align 8
+  ret i32 0
+}
+
+define internal i32 @largest_of.118(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
+entry:
+  %.160 = alloca double, align 8
+  store double 0.000000e+00, ptr %.160, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.9247.not = icmp slt i64 %arg.n, 1
+  br i1 %.9247.not, label %B194, label %B38.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B94 ], [ 0, %B194 ], [ %.166, %B122.if ]
+  ret i32 %common.ret.op
+
+B94:
+  store double 0x7FF0000000000000, ptr %retptr, align 8
+  br label %common.ret
+
+B122:
+  %.156 = call contract double @llvm.fabs.f64(double %.136)
+  store double 0.000000e+00, ptr %.160, align 8
+  %.166 = call i32 @numba.28(ptr nonnull %.160, ptr nonnull %excinfo.1, double %largest.2.050, double %.156)
+  switch i32 %.166, label %B122.if [
+    i32 -2, label %B122.endif
+    i32 0, label %B122.endif
+  ]
+
+B194:
+  %largest.2.0.lcssa = phi double [ 0.000000e+00, %entry ], [ %.176, %B122.endif ]
+  store double %largest.2.0.lcssa, ptr %retptr, align 8
+  br label %common.ret
+
+B38.if:
+  %largest.2.050 = phi double [ %.176, %B122.endif ], [ 0.000000e+00, %entry ]
+  %.34.048 = phi i64 [ %.105, %B122.endif ], [ 0, %entry ]
+  %.105 = add nuw nsw i64 %.34.048, 1
+  %.135 = getelementptr double, ptr %arg.values, i64 %.34.048
+  %.136 = load double, ptr %.135, align 8
+  %.137 = fsub contract double %.136, %.136
+  %.138 = fcmp contract ord double %.137, 0.000000e+00
+  br i1 %.138, label %B122, label %B94
+
+B122.if:
+  %.174 = icmp sgt i32 %.166, 0
+  %.167 = load ptr, ptr %excinfo.1, align 8
+  %.175 = select i1 %.174, ptr %.167, ptr undef
+  store ptr %.175, ptr %excinfo, align 8
+  br label %common.ret
+
+B122.endif:
+  %.176 = load double, ptr %.160, align 8
+  %exitcond.not = icmp eq i64 %arg.n, %.105
+  br i1 %exitcond.not, label %B194, label %B38.if
 }
 
 declare i64 @llvm.smin.i64(i64, i64)

@@ -22,7 +22,9 @@ from viscodesign._version import __version__
 from viscodesign.native.code_cache import cached
 from viscodesign.native.machine import load, object_code, this_machine
 from viscodesign.native.source import (
+    bands,
     elimination,
+    equilibria,
     factors,
     filters,
     forward,
@@ -53,6 +55,8 @@ SOURCES = (
     row_operations,
     tape,
     filters,
+    bands,
+    equilibria,
 )
 IR_FILE = Path(__file__).parent / "loops.ll"
 OPTIMISE, GENERATE = 3, 3
@@ -107,6 +111,11 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
     ),
     "follow": ("count", "count", "count", *["reals"] * 6),
     "follow_turning": ("count", "count", "count", *["reals"] * 6),
+    "have_signs": (*["count"] * 4, "places", "places", *["reals"] * 3, "counts"),
+    "follow_equilibria": (
+        *(*_KERNELS, "places", "places", "places", "reals", "count", *["places"] * 5),
+        *("reals", "count", "reals", "count", "count", *["reals"] * 7),
+    ),
 }
 """Arguments of the loops: numbers, or arrays without any gaps."""
 DTYPES = {"counts": np.int64, "places": np.int32, "reals": np.float64}

@@ -71,8 +71,10 @@ class BranchJumpDetector:
         every = np.column_stack((algebraics, found))
         rates = AlgebraicRates(self.problem, first, states, every)
         stable = self.stability.are_stable(rates.jacobians[1:])
-        for k in range(found.shape[1]):
-            if stable[k] and self._is_smooth(rates, k):
+        moved = np.diff(every[self.span], axis=1)
+        distances = np.max(np.abs(moved), axis=0)
+        for k in np.flatnonzero(~stable | (distances > self.min_move)).tolist():
+            if stable[k] and self._is_smooth(rates, k, moved[:, k]):
                 continue
             points = self._ends(first + k, states[:, k], states[:, k + 1])
             try:
@@ -83,15 +85,11 @@ class BranchJumpDetector:
                 return k, failure
         return found.shape[1], None
 
-    def _is_smooth(self, rates: AlgebraicRates, k: int) -> bool:
+    def _is_smooth(self, rates: AlgebraicRates, k: int, moved: np.ndarray) -> bool:
         """Whether the rod has moved in an interval as its rates predict."""
-        moved = rates.algebraics[self.span, k + 1] - rates.algebraics[self.span, k]
-        distance = np.max(np.abs(moved))
-        if distance <= self.min_move:
-            return True
         mean = (rates.at(k)[self.span] + rates.at(k + 1)[self.span]) / 2
         unexplained = np.max(np.abs(moved - rates.steps[k] * mean))
-        return bool(unexplained <= JUMP.unexplained_rel_tol * distance)
+        return bool(unexplained <= JUMP.unexplained_rel_tol * np.max(np.abs(moved)))
 
     def _ends(
         self, edge: int, before: np.ndarray, after: np.ndarray

@@ -18,10 +18,10 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.chain import TurningSteps
 from viscodesign.model.rod_equations import COORDINATES, INTERNAL, RodForm
 from viscodesign.model.step_geometry import STRAIGHT
+from viscodesign.native.machine import SWITCH
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve import branch_jumps
 from viscodesign.solve.branch_following import OperatingPoint, constraints, follow_branch
-from viscodesign.solve.numerics import stability
 from viscodesign.solve.numerics.newton import newton
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Work
@@ -80,12 +80,12 @@ def reduced_stiffness(problem: Problem, matrix: np.ndarray) -> np.ndarray:
     return np.asarray((full + full.T) / 2)
 
 
-@pytest.mark.parametrize("most", [0, 10_000])
+@pytest.mark.parametrize("native", ["on", "off"])
 def test_stability_test_agrees_with_the_smallest_eigenvalue(
-    most: int, monkeypatch: pytest.MonkeyPatch
+    native: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Along a perfect column, from below to above its critical load."""
-    monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
+    monkeypatch.setenv(SWITCH, native)
     problem, here = made(*COLUMN)
     test = problem.stability
     assert test is not None
@@ -99,11 +99,11 @@ def test_stability_test_agrees_with_the_smallest_eigenvalue(
     assert not expected[-1]
 
 
-@pytest.mark.parametrize("most", [0, 10_000])
+@pytest.mark.parametrize("native", ["on", "off"])
 def test_singular_equations_are_not_stable_and_leave_others_so(
-    most: int, monkeypatch: pytest.MonkeyPatch
+    native: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(stability, "MAX_DENSE_UNKNOWNS", most)
+    monkeypatch.setenv(SWITCH, native)
     problem, here = made(*COLUMN)
     assert problem.stability is not None
     stable = np.array(next(jacobians(problem, here)).nonzeros())

@@ -5,10 +5,9 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-MAX_DENSE_UNKNOWNS = 150
-"""Unknowns up to which full matrices are faster."""
-MANY_AT_ONCE = 8
-"""Jacobians from which the pivots of all of them are found side by side."""
+from viscodesign.native.loops import DTYPES, native_loops
+from viscodesign.native.machine import this_machine
+from viscodesign.native.unavailable import NativeUnavailable
 
 
 class StabilityTest:
@@ -27,47 +26,54 @@ class StabilityTest:
         place = np.full(pattern.size1(), -1)
         place[order] = np.arange(len(order))
         rows, columns = (place[np.array(k, dtype=int)] for k in pattern.get_triplet())
-        own = np.flatnonzero((rows >= 0) & (columns >= 0))
-        own = own[np.lexsort((rows[own], columns[own]))]
-        self._own = own
-        self._rows, self._columns = rows[own].astype(np.int32), columns[own]
-        self._internal, self._outer = (np.flatnonzero(k)[:, None] for k in (internal, ~internal))
-        counts = np.bincount(columns[own], minlength=len(order))
-        self._starts = np.concatenate([[0], np.cumsum(counts)]).astype(np.int32)
-        self._signs = np.where(internal, 1.0, -1.0)
-        self._banded = _postponed(self._rows, self._columns, len(order))
+        self._own = np.flatnonzero((rows >= 0) & (columns >= 0))
+        rows, columns = rows[self._own], columns[self._own]
+        signs = np.where(internal, 1.0, -1.0)
+        self._factors = signs[rows]
+        places = _postponed(rows, columns, len(order))
+        self._signs = np.empty(len(order))
+        self._signs[places] = signs
+        rows, columns = places[rows], places[columns]
+        self._width = int(np.max(np.abs(rows - columns), initial=0))
+        self._bands = _in_band(rows, columns, self._width), _in_band(columns, rows, self._width)
 
     def is_stable(self, entries: np.ndarray) -> bool:
         """Whether the Jacobian with these nonzeros, column by column, is that of a minimum."""
         return bool(self.are_stable(entries[None])[0])
 
     def are_stable(self, entries: np.ndarray) -> np.ndarray:
-        """The same (m,) of m Jacobians with nonzeros (m, nnz)."""
-        data = self._signs[self._rows] * entries[:, self._own]
-        if len(data) >= MANY_AT_ONCE:
-            return self._are_stable_banded(data)
-        is_small = len(self._signs) <= MAX_DENSE_UNKNOWNS
-        is_stable = self._is_stable_dense if is_small else self._is_stable_sparse
-        return np.array([is_stable(row) for row in data], dtype=bool)
+        """The same (m,) of m Jacobians with nonzeros (m, nnz).
 
-    def _are_stable_banded(self, data: np.ndarray) -> np.ndarray:
-        """By the signs of the pivots of all matrices side by side, in an order with a narrow band.
-
-        A later place of an unknown that no earlier one touches changes no pivot.
+        By the signs of the pivots, in an order with a narrow band.
         """
-        rows, columns = self._banded[self._rows], self._banded[self._columns]
-        count, width = len(self._signs), int(np.max(np.abs(rows - columns), initial=0))
+        data = self._factors * entries[:, self._own]
+        try:
+            return self._by_loop(data)
+        except NativeUnavailable:
+            return self._side_by_side(data)
+
+    def _by_loop(self, data: np.ndarray) -> np.ndarray:
+        """Natively. Raises `NativeUnavailable`."""
+        this_machine()  # code that was made before may have been switched off
+        count, (matrices, entries) = len(self._signs), data.shape
+        band = np.empty(2 * (count + self._width) * (self._width + 1))
+        found = np.empty(matrices, dtype=DTYPES["counts"])
+        given = matrices, entries, count, self._width, *self._bands, self._signs
+        native_loops()("have_signs", *given, data.reshape(-1), band, found)
+        return np.asarray(found == 1)
+
+    def _side_by_side(self, data: np.ndarray) -> np.ndarray:
+        """The same of all matrices at once."""
+        count, width = len(self._signs), self._width
         # Entries (j + d, j) and (j, j + d) are at (j, d); a margin of zeros follows.
-        lower, upper = np.zeros((2, count + width, width + 1, len(data)))
-        below, above = rows >= columns, rows <= columns
-        lower[columns[below], (rows - columns)[below]] = data[:, below].T
-        upper[rows[above], (columns - rows)[above]] = data[:, above].T
+        both = np.zeros((2, (count + width) * (width + 1), len(data)))
+        for side, places in zip(both, self._bands, strict=True):
+            side[places[places >= 0]] = data[:, places >= 0].T
+        lower, upper = both.reshape(2, count + width, width + 1, len(data))
         far, near = np.tril_indices(width)
-        signs = np.empty(count)
-        signs[self._banded] = self._signs
         stable = np.ones(len(data), dtype=bool)
         with np.errstate(all="ignore"):  # a pivot of zero is not stable, whatever follows
-            for j, sign in enumerate(signs):
+            for j, sign in enumerate(self._signs):
                 pivot, down, right = lower[j, 0], lower[j, 1:], upper[j, 1:]
                 stable &= sign * pivot < 0.0
                 scaled = right / pivot
@@ -75,37 +81,11 @@ class StabilityTest:
                 upper[j + 1 + near, far - near] -= down[near] * scaled[far]
         return stable
 
-    def _is_stable_dense(self, data: np.ndarray) -> bool:
-        """By Cholesky's factors of the reduced stiffness."""
-        count = len(self._signs)
-        matrix = np.zeros((count, count))
-        matrix[self._rows, self._columns] = data
-        inner, outer = self._internal, self._outer
-        try:
-            follow = np.linalg.solve(matrix[inner, inner.T], matrix[inner, outer.T])
-            stiffness = matrix[outer, outer.T] - matrix[outer, inner.T] @ follow
-            np.linalg.cholesky((stiffness + stiffness.T) / 2)
-        except np.linalg.LinAlgError:
-            return False
-        return True
 
-    def _is_stable_sparse(self, data: np.ndarray) -> bool:
-        """By the signs of the pivots."""
-        from scipy.sparse import csc_matrix
-        from scipy.sparse.linalg import splu
-
-        count = len(self._signs)
-        try:
-            factors = splu(
-                csc_matrix((data, self._rows, self._starts), shape=(count, count)),
-                permc_spec="NATURAL",
-                diag_pivot_thresh=0.0,
-                options={"SymmetricMode": True},
-            )
-        except RuntimeError:  # raised for a singular matrix
-            return False
-        unpermuted = np.array_equal(factors.perm_r, np.arange(count))
-        return unpermuted and bool(np.all(self._signs * factors.U.diagonal() < 0.0))
+def _in_band(rows: np.ndarray, columns: np.ndarray, width: int) -> np.ndarray:
+    """Places (nnz,) of entries in a band below the diagonal, column by column; -1 above it."""
+    places = columns * (width + 1) + rows - columns
+    return np.where(rows >= columns, places, -1).astype(DTYPES["places"])
 
 
 def _postponed(rows: np.ndarray, columns: np.ndarray, count: int) -> np.ndarray:

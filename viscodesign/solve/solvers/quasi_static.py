@@ -11,15 +11,14 @@ from viscodesign.errors import SolveError
 from viscodesign.model.formulas import Formulas
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.row_blocks import BLOCK_ROWS, whole_blocks
-from viscodesign.solve.branch_following import OperatingPoint, PreviousSolution
-from viscodesign.solve.equilibria_between import equilibria_between
+from viscodesign.native.unavailable import NativeUnavailable
+from viscodesign.solve.branch_following import PreviousSolution
+from viscodesign.solve.equilibria_in_turn import EquilibriaInTurn
 from viscodesign.solve.numerics.newton import CONTROL
 from viscodesign.solve.solvers.base import Columns, Solver, Work, smooth_stretches
 from viscodesign.solve.solvers.quiet_stderr import quiet_stderr
 from viscodesign.solve.statics import Start, consistent
-
-LONGEST_STRIDE = 16
-"""Edges of a smooth input that are solved at once, between two that follow each other."""
+from viscodesign.storage.cached_property import cached_property
 
 
 class QuasiStatic(Solver):
@@ -84,46 +83,45 @@ class QuasiStatic(Solver):
         self, here: Start, begin: int, end: int, found: list[np.ndarray]
     ) -> SolveError | None:
         """Add the solutions at edges begin+1..end of one smooth input, as far as possible."""
-        schedule, previous, stride = self.problem.schedule, None, LONGEST_STRIDE
-        piece, k = schedule.pieces[begin], begin
+        schedule, previous = self.problem.schedule, None
+        piece, edges, k = schedule.pieces[begin], schedule.edges, begin
         try:
             if begin and np.any(piece != schedule.pieces[begin - 1]):
-                at = float(schedule.edges[begin])
-                here = consistent(self.problem, here, at, piece, self.before(begin))
+                here = consistent(self.problem, here, float(edges[k]), piece, self.before(begin))
             while k < end:
-                stride = min(stride, end - k)
-                some = self._stride(here, previous, k, stride)
-                if some is None:
-                    stride //= 2
-                    continue
-                earlier = here.algebraics if stride == 1 else some[-2]
-                before = schedule.edges[k] if stride == 1 else schedule.edges[k + stride - 1]
-                previous, here = (earlier, float(before)), Start(here.states, some[-1])
+                some = self._next(here, previous, piece, edges[k : end + 1])
+                k += len(some)
+                earlier = here.algebraics if len(some) == 1 else some[-2]
+                previous, here = (earlier, float(edges[k - 1])), Start(here.states, some[-1])
                 found += some
-                k, stride = k + stride, min(2 * stride, LONGEST_STRIDE)
         except SolveError as error:
             return error
         return None
 
-    def _stride(
-        self, here: Start, previous: PreviousSolution | None, k: int, stride: int
-    ) -> list[np.ndarray] | None:
-        """Solutions at the next edges: the last, then all before it; None where that fails."""
-        schedule = self.problem.schedule
-        piece, edges = schedule.pieces[k], schedule.edges[k : k + stride + 1]
-        instant = float(edges[0]), piece
+    def _next(
+        self,
+        here: Start,
+        previous: PreviousSolution | None,
+        piece: np.ndarray,
+        times: np.ndarray,
+    ) -> list[np.ndarray]:
+        """Solutions behind the first of these times: as many as are found with ease, or one."""
+        begin = float(times[0])
+        if self._in_turn is not None:
+            some = self._in_turn.after(here.algebraics, begin, previous, piece, times[1:])
+            if len(some):
+                return list(some)
+        before = begin, piece
+        there = consistent(self.problem, here, float(times[1]), piece, before, previous)
+        return [there.algebraics]
+
+    @cached_property
+    def _in_turn(self) -> EquilibriaInTurn | None:
+        """None without native code."""
         try:
-            there = consistent(self.problem, here, float(edges[-1]), piece, instant, previous)
-        except SolveError:
-            if stride == 1:
-                raise
+            return EquilibriaInTurn(self.problem)
+        except NativeUnavailable:
             return None
-        if stride == 1:
-            return [there.algebraics]
-        before, after = (OperatingPoint(here.states, float(t), piece) for t in edges[[0, -1]])
-        ends = here.algebraics, there.algebraics
-        between = equilibria_between(self.problem, ends, before, after, edges[1:-1])
-        return None if between is None else [*between, there.algebraics]
 
     def _columns(self, found: np.ndarray) -> Columns:
         count = found.shape[1]

@@ -10,8 +10,7 @@ import pytest
 
 from tests.scenes import leg, problem_of
 from tests.validation.rc_network import columns
-from viscodesign.solve.branch_following import OperatingPoint
-from viscodesign.solve.equilibria_between import equilibria_between
+from viscodesign.solve.equilibria_in_turn import EquilibriaInTurn
 from viscodesign.solve.numerics.newton import NewtonError, newton
 from viscodesign.solve.problem import Problem, evaluate, evaluate_along
 from viscodesign.solve.solvers import quasi_static
@@ -115,8 +114,10 @@ def test_every_factorisation_refuses_a_singular_system(size: int) -> None:
         newton(lambda y: (diagonal * y - 1.0, matrix), np.zeros(size))
 
 
-def test_equilibria_between_two_are_those_found_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Sixteen at once take a few calls where each took several."""
+def test_equilibria_follow_each_other_without_single_solutions(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Natively; one by one they take several calls each, and are the same."""
     problem, here = made(*SCENES["hanging"], "run={duration: 2 s, output_interval: 0.02 s}")
     count, calls = len(problem.schedule.edges) - 1, []
     solve = quasi_static.consistent
@@ -128,24 +129,21 @@ def test_equilibria_between_two_are_those_found_one_by_one(monkeypatch: pytest.M
     monkeypatch.setattr(quasi_static, "consistent", counted)
     (_, together, _), failure = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
     assert failure is None
-    assert len(calls) <= count / 8
-    monkeypatch.setattr(quasi_static, "LONGEST_STRIDE", 1)
+    assert len(calls) <= 2
+    monkeypatch.setattr(QuasiStatic, "_in_turn", None)
     (_, single, _), _ = QuasiStatic(problem, 1e-6)(here, 0, count, Work())
     np.testing.assert_allclose(together, single, atol=1e-9)
     assert np.ptp(single) > 0.1
 
 
-def test_nothing_is_taken_from_between_two_branches() -> None:
-    """What is not near the way between its neighbours is left to single solutions."""
+def test_nothing_is_taken_from_another_branch() -> None:
+    """What is not near the solution before it is left to a single solution."""
     problem, here = made(*SCENES["hanging"])
     piece, edges = problem.schedule.pieces[0], problem.schedule.edges
-    first, last = (OperatingPoint(here.states, float(t), piece) for t in (edges[0], edges[8]))
-    there = consistent(problem, here, last.time, piece).algebraics
-    found = equilibria_between(problem, (here.algebraics, there), first, last, edges[1:8])
-    assert found is not None
-    mirrored = there.copy()
+    in_turn, times = EquilibriaInTurn(problem), edges[1:8]
+    assert len(in_turn.after(here.algebraics, float(edges[0]), None, piece, times)) == len(times)
+    away = here.algebraics.copy()
     span = problem.equations.algebraics.branch_span
     assert span is not None
-    mirrored[span] += 1.0
-    ends = (here.algebraics, mirrored)
-    assert equilibria_between(problem, ends, first, last, edges[1:8]) is None
+    away[span] += 1.0
+    assert len(in_turn.after(away, float(edges[0]), None, piece, times)) == 0
