@@ -8,6 +8,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.equations import Equations
+from viscodesign.model.network_equations import NetworkForm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.solve.problem import Schedule
 from viscodesign.storage.distinct import distinct
@@ -44,13 +45,16 @@ class SamplingRule:
 SAMPLING = SamplingRule()
 
 
-def with_samples(schedule: Schedule, equations: Equations, starts_at_rest: bool) -> Schedule:
+def with_samples(
+    schedule: Schedule, equations: Equations, starts_at_rest: bool, *, for_balances: bool = True
+) -> Schedule:
     """The schedule, with edges so close that polynomials between them resolve the motion.
 
-    Where an integrator gives all work they are just close enough to meet events. Nothing is added
-    where nothing moves.
+    Where an integrator gives all work they are just close enough to meet events, and where nobody
+    asks for balances, unless flows follow from volumes. Nothing is added where nothing moves.
     """
-    if not any(split.sampled.any() for split in equations.work_splits.values()):
+    asked = for_balances or equations.network_form is NetworkForm.UNIFORM
+    if not asked or not any(split.sampled.any() for split in equations.work_splits.values()):
         return _refined(schedule, _looks(schedule.edges, equations))
     edges = schedule.edges
     corners = schedule.pieces.changes

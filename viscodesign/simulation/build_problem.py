@@ -44,6 +44,8 @@ class Settings:
     solver: str = DEFAULT_SOLVER
     is_free: bool = False
     """Whether a solver without error in time replaces it where the equations allow."""
+    for_balances: bool = True
+    """Whether it is also solved so densely between the outputs that balances can be summed."""
 
 
 def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> Settings:
@@ -72,7 +74,12 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         bellows=quantities.graph.bellows,
         bellows_along_tubes=quantities.graph.bellows_along_tubes(),
         baseline=scene.gauge_pressure,
-        schedule=with_samples(schedule(scene), equations, scene.run.start != "equilibrium"),
+        schedule=with_samples(
+            schedule(scene),
+            equations,
+            scene.run.start != "equilibrium",
+            for_balances=settings.for_balances,
+        ),
         rest_volume=quantities.bellows.rest_volume,
         floor_volume=_floor_volume(quantities, effects),
         drawing=_drawing_limits(quantities, effects),

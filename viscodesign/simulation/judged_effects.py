@@ -50,10 +50,13 @@ JUDGING = JudgingNumbers()
 
 
 def coarser(settings: Settings) -> Settings:
-    """Settings of the solution with everything, and of what is compared with it alone."""
+    """Settings of the solution with everything, and of what is compared with it alone.
+
+    Of these only the tip is looked at, and the flows, at the outputs.
+    """
     edges = max(1, (settings.edges_per_section + 1) // 2)
     tolerance = JUDGING.coarser_tolerance * settings.tolerance
-    return replace(settings, edges_per_section=edges, tolerance=tolerance)
+    return replace(settings, edges_per_section=edges, tolerance=tolerance, for_balances=False)
 
 
 def judgeable(settings: Settings) -> Settings:

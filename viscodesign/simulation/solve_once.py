@@ -92,7 +92,8 @@ class ProblemStore:
         self, quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings
     ) -> PreparedProblem:
         """A scene's equations, formulated once for every set of effects and mesh."""
-        key = effects_key(quantities, effects), settings.edges_per_section
+        mesh = settings.edges_per_section, settings.for_balances
+        key = effects_key(quantities, effects), *mesh
         return self._kept.get(
             key, lambda: prepared_problem(quantities.scene, build(quantities, effects, settings))
         )

@@ -67,7 +67,20 @@ def test_settings_of_the_coarser_solution_halve_the_mesh() -> None:
     for edges, run, other in ((1, 2, 1), (2, 2, 1), (3, 3, 2), (8, 8, 4)):
         fine = judgeable(Settings(edges, 1e-4))
         assert fine.edges_per_section == run
-        assert coarser(fine) == coarser(Settings(edges, 1e-4)) == Settings(other, 1e-3)
+        assert coarser(fine) == coarser(Settings(edges, 1e-4))
+        assert coarser(fine) == Settings(other, 1e-3, for_balances=False)
+
+
+def test_the_coarser_solution_is_not_sampled_between_the_outputs() -> None:
+    """Of balances nobody asks; its tip is that of the same solution with all its samples."""
+    quantities, selection, run = judged()
+    found = whole(EffectJudge(quantities, None, Workspace()), selection, run)
+    effects = selection.members(selection.everything)
+    sampled = solve(quantities, effects, replace(coarser(run.settings), for_balances=True))
+    few, many = (len(r.problem.schedule.edges) for r in (found, sampled))
+    assert 3 * few <= many
+    apart = tip_difference(found.motion, sampled.motion)
+    assert apart <= found.settings.tolerance * quantities.body.length
 
 
 def test_a_solution_as_coarse_tells_effects_from_steps(monkeypatch: pytest.MonkeyPatch) -> None:
