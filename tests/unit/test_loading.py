@@ -164,6 +164,35 @@ def test_bad_overrides_are_told_by_key(overrides: Mapping[str, Any], words: str)
     assert words in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    "given", ["16", " +16 ", 16.0, np.int64(16), np.float64(16.0), np.array(16)]
+)
+@pytest.mark.parametrize("key", ["bellows.count", "run.shape_every"])
+def test_an_integer_is_one_however_a_script_has_it(key: str, given: Any) -> None:
+    assert load(FILE, {key: given}).digest == load(FILE, [f"{key}=16"]).digest
+
+
+@pytest.mark.parametrize(
+    "given", ["16.0", "1_6", "0x10", "sixteen", "", "٣", "9" * 5000, 16.5, 1e300, True, [16]]
+)
+@pytest.mark.parametrize("key", ["bellows.count", "run.max_steps", "run.shape_every"])
+def test_what_is_no_integer_is_refused(key: str, given: Any) -> None:
+    with pytest.raises(SpecError, match=rf"overrides: {key}: expected an integer, got "):
+        load(FILE, {key: given})
+
+
+def test_the_integers_of_a_pump_are_read_alike() -> None:
+    texts = {"pump.home": "210", "pump.servo_id": "2", "pump.travel": ["100", 900.0]}
+    pump = load(CONFIGS / "leg_16_pump.yaml", texts).pump
+    assert pump.model_dump(include={"home", "servo_id", "travel"}) == {
+        "home": 210,
+        "servo_id": 2,
+        "travel": (100, 900),
+    }
+    with pytest.raises(SpecError, match=r"home: expected an integer, got on"):
+        load(CONFIGS / "leg_16_pump.yaml", {"pump.home": True})
+
+
 def test_reading_a_mapping_leaves_it_as_it_was() -> None:
     before = json.dumps(KEYS)
     load(KEYS, {"network.tube_length": 0.2, "loads.payload": 0.02})

@@ -9,6 +9,7 @@ from pydantic import AfterValidator, Field, field_validator, model_validator
 from viscodesign.model.graph import bellow_names
 from viscodesign.scene.bellow_changes import BellowChange, bellow_change_faults, bellows_named
 from viscodesign.scene.bellow_curve import BellowCurve, falls
+from viscodesign.scene.integer import Integer
 from viscodesign.scene.member_changes import numbers_of, values_by_member
 from viscodesign.scene.spec_part import SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.units import (
@@ -37,7 +38,7 @@ def _paired(count: int) -> int:
 class Bellows(SpecPart):
     """Bellows in pairs, one right and one left of the axis in every section."""
 
-    count: Annotated[int, Field(strict=True), AfterValidator(_paired)] = Field(
+    count: Annotated[Integer, AfterValidator(_paired)] = Field(
         description="Number of bellows, even"
     )
     height: Length = Field(gt=0, description="Size along x", examples=["10 mm"])

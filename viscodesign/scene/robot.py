@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, field_validator, model_validator
 
+from viscodesign.scene.integer import Integer
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
 from viscodesign.units import Angle, Fraction, Length, Mass, Time, Volume
 
@@ -118,7 +119,7 @@ class Robot(SpecPart):
         description="The legs, by name"
     )
     foot: RobotFoot = Field(description="Radius, mass and friction of the feet")
-    stiff_sections: tuple[int, ...] = Field(
+    stiff_sections: tuple[Integer, ...] = Field(
         (),
         description="Sections, 1 at the hip, that pillars keep from bending and stretching",
     )

@@ -8,6 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
+from viscodesign.scene.integer import Integer
 from viscodesign.scene.spec_part import SpecPart, invalid_at
 from viscodesign.units import Time
 
@@ -39,12 +40,12 @@ class RunSettings(SpecPart):
     output_times: tuple[Time, ...] | None = Field(
         None, description="Instead of an interval: increasing output times"
     )
-    max_steps: int = Field(
+    max_steps: Integer = Field(
         1_000_000,
         ge=100,
         description="Maximum number of time steps of a run, including its verification",
     )
-    shape_every: int | None = Field(
+    shape_every: Integer | None = Field(
         None,
         ge=1,
         description="Write every n-th output to shape.csv; default: 1, or "

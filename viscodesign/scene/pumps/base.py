@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, Field
 
+from viscodesign.scene.integer import Integer
 from viscodesign.scene.per_inlet import ByInlet, in_order, named
 from viscodesign.scene.spec_part import KeyFault, SpecPart, copied, invalid_at, raise_faults
 from viscodesign.units import GaugeOrAbsolutePressure, ReferencedPressure
@@ -14,7 +15,7 @@ from viscodesign.units import GaugeOrAbsolutePressure, ReferencedPressure
 class SensorSpec(SpecPart):
     """The pressure sensor's analog channel."""
 
-    channel: int = Field(ge=0, le=7, description="Analog input that it is connected to")
+    channel: Integer = Field(ge=0, le=7, description="Analog input that it is connected to")
     on: Literal["auto", "board", "phidget"] = Field(
         "auto",
         description="Where it is connected; auto: the board, or a kit if the board has no pins",
@@ -50,7 +51,7 @@ class PumpSpec(SpecPart):
     max_pressure: GaugeOrAbsolutePressure = Field(
         25e3, description="Software limit, such as '25 kPa gauge' or '140 kPa abs'"
     )
-    feeds: int = Field(
+    feeds: Integer = Field(
         1,
         ge=1,
         le=1000,

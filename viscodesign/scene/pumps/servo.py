@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
+from viscodesign.scene.integer import Integer, as_integer
 from viscodesign.scene.per_inlet import ByInlet, named
 from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.pumps.servo_motor import SERVOS
@@ -22,7 +24,7 @@ ServoName: Any = Literal[tuple(SERVOS)]
 
 def _ids(given: Any) -> Any:
     """Servo ids, one or per inlet; checked here, as a union would report both of its members."""
-    ids = named(given)
+    ids = {name: as_integer(value) for name, value in named(given).items()}
     raise_faults(
         KeyFault(
             (name,) if name else (),
@@ -33,7 +35,7 @@ def _ids(given: Any) -> Any:
     )
     if not ids or len(set(ids.values())) < len(ids):
         raise invalid("each inlet needs its own servo id, all different")
-    return given
+    return ids if isinstance(given, Mapping) else ids[""]
 
 
 class LimitSwitchSpec(SpecPart):
@@ -93,10 +95,10 @@ class ServoPumpSpec(PumpSpec):
         5.0, ge=0, description="Kinetic friction of the plunger (assumed)"
     )
     gear_play: float = Field(2.0, ge=0, description="Backlash of the gears in servo counts")
-    home: int = Field(
+    home: Integer = Field(
         200, ge=0, le=MAX_SERVO_COUNTS, description="Servo counts with the plunger at its start"
     )
-    travel: tuple[int, int] = Field(
+    travel: tuple[Integer, Integer] = Field(
         (100, 1000), description="Lowest and highest servo counts that the plunger may have"
     )
     push: Literal["up", "down"] = Field(

@@ -16,6 +16,7 @@ at once, so it is not used.
 
 from __future__ import annotations
 
+import codecs
 from collections.abc import Iterator, Mapping
 from dataclasses import field, replace
 from typing import Any
@@ -36,6 +37,8 @@ from viscodesign.scene.reading.yaml_events import (
 from viscodesign.scene.spec_part import KeyPath
 
 MAX_NODES = 400_000
+IGNORED_PREFIX = "x-"
+"""How top-level keys begin that a spec keeps for itself, such as values that anchors name."""
 MERGE_KEY = "<<"
 """Whose value is a mapping, or several, that give what a mapping has not got itself."""
 MERGES_MAPPINGS = (
@@ -98,11 +101,7 @@ class Document:
 
 def read_document(text: bytes, file: str) -> Document:
     """Parse one YAML document that is a mapping. Raises `SpecError`."""
-    try:
-        decoded = text.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise SpecError([Fault("not UTF-8 text; expected a YAML file", file=file)]) from error
-    documents = event_lists(decoded, file)
+    documents = event_lists(decoded(text, file), file)
     if len(documents) > 1:
         raise SpecError([Fault(f"contains {len(documents)} documents; expected one", file=file)])
     if not documents or getattr(documents[0][0], "value", None) == "":
@@ -115,6 +114,23 @@ def read_document(text: bytes, file: str) -> Document:
         raise SpecError([Fault(message, file=file, line=1)])
     document.data = data
     return document
+
+
+def encoding_of(content: bytes) -> str:
+    """The encoding of a spec, by the mark at its beginning; UTF-8 without one."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    return "utf-8-sig" if content.startswith(codecs.BOM_UTF8) else "utf-8"
+
+
+def decoded(content: bytes, file: str) -> str:
+    """The text of a spec: UTF-8, or UTF-16 with a mark, as YAML has it. Raises `SpecError`."""
+    try:
+        return content.decode(encoding_of(content))
+    except UnicodeDecodeError as error:
+        byte, line = content[error.start], 1 + content.count(b"\n", 0, error.start)
+        message = f"not UTF-8 text (byte 0x{byte:02x}); expected a YAML file, saved as UTF-8"
+        raise SpecError([Fault(message, file=file, line=line)]) from error
 
 
 def parse_value(text: str, source: str) -> Any:

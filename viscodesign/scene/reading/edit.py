@@ -9,6 +9,7 @@ import yaml
 
 from viscodesign.errors import UsageError
 from viscodesign.scene.effects_choice import MODE, is_effect, mapping_of
+from viscodesign.scene.reading.document import decoded, encoding_of
 
 
 def write_values(file: Path, section: str, values: Mapping[str, str]) -> None:
@@ -18,8 +19,9 @@ def write_values(file: Path, section: str, values: Mapping[str, str]) -> None:
     """
     from viscodesign.storage.atomic_files import write_bytes
 
-    text = file.read_bytes().decode()
-    write_bytes(file, with_values(text, section, values).encode())
+    content = file.read_bytes()
+    text = with_values(decoded(content, str(file)), section, values)
+    write_bytes(file, text.encode(encoding_of(content)))
 
 
 def with_values(text: str, section: str, values: Mapping[str, str]) -> str:

@@ -21,7 +21,7 @@ from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
 from viscodesign.scene.pump import PUMP_KINDS
 from viscodesign.scene.reading.allowed_values import allowed_at
-from viscodesign.scene.reading.document import Document
+from viscodesign.scene.reading.document import IGNORED_PREFIX, Document
 from viscodesign.scene.reading.field_lookup import (
     example_of,
     field_at,
@@ -184,6 +184,11 @@ def _invalid_quantity(context: dict[str, Any], path: KeyPath, document: Document
 
 def _unknown_key(path: KeyPath, document: Document) -> str:
     known = keys_beside(path, document)
+    if path[-1].startswith(IGNORED_PREFIX):
+        return (
+            f"no such key; keys that begin with '{IGNORED_PREFIX}' are ignored at the top level "
+            "alone. Move it there, or make it a comment"
+        )
     hint = (
         _other_quantity(path[-1], known)
         or _in_another_section(path, document)

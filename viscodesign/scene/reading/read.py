@@ -17,7 +17,7 @@ from viscodesign.scene.effects_choice import (
     is_effect,
     mapping_of,
 )
-from viscodesign.scene.reading.document import Document, parse_value
+from viscodesign.scene.reading.document import IGNORED_PREFIX, Document, parse_value
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
 from viscodesign.scene.reading.sources import (
     ReadSpec,
@@ -34,8 +34,6 @@ from viscodesign.scene.spec_version import version_problem
 from viscodesign.scene.table_file import FILE_KEYS
 from viscodesign.scene.whole_spec import Provenance, WholeSpec
 
-IGNORED_PREFIX = "x-"
-"""How top-level keys begin that a spec keeps for itself, such as values that anchors name."""
 OVERRIDE_FORM = "must have the form key.path=value"
 PYTHON_OVERRIDES = "overrides"
 """Where faults of values are that a script gave."""

@@ -41,12 +41,14 @@ def test_a_spec_without_the_section_is_refused(text: str) -> None:
         with_values(text, "pump", VALUES)
 
 
-def test_line_endings_and_byte_order_mark_are_kept(tmp_path: Path) -> None:
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_line_endings_and_byte_order_mark_are_kept(tmp_path: Path, encoding: str) -> None:
     file = tmp_path / "leg.yaml"
-    file.write_bytes("\ufeffname: é\r\npump:\r\n  home: 1\r\n  travel: [1, 2]\r\n".encode())
+    text = "name: é\r\npump:\r\n  home: 1\r\n  travel: [1, 2]\r\n"
+    file.write_bytes(text.encode(encoding))
     write_values(file, "pump", VALUES)
-    found = "\ufeffname: é\r\npump:\r\n  home: 300\r\n  travel: [90, 1000]\r\n"
-    assert file.read_bytes().decode() == found
+    found = "name: é\r\npump:\r\n  home: 300\r\n  travel: [90, 1000]\r\n"
+    assert file.read_bytes() == found.encode(encoding)
 
 
 @pytest.mark.parametrize(

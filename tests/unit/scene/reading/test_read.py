@@ -36,6 +36,8 @@ def changed(old: str, new: str) -> str:
         ("", "is empty"),
         ("   \n\n", "is empty"),
         (b"\x00\x01\x02\xff\xfe binary", "not UTF-8 text"),
+        (b"name: leg\n# B\xfcro\n", "leg.yaml:2: not UTF-8 text (byte 0xfc); expected a YAML file, saved"),
+        (b"\xff\xfea", "not UTF-8 text"),
         (b"\x89PNG\r\n\x1a\n", "not UTF-8 text"),
         ("- a\n- list\n", "is a list"),
         ("just a word", "is a single value"),
@@ -58,6 +60,15 @@ def changed(old: str, new: str) -> str:
 )  # fmt: skip
 def test_files_that_are_not_specs(tmp_path: Path, text: str | bytes, words: str) -> None:
     assert words in faults_of(tmp_path, text)
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-be"])
+def test_a_spec_is_read_as_any_editor_saves_it(tmp_path: Path, encoding: str, end: str) -> None:
+    file = tmp_path / "leg.yaml"
+    mark = "\ufeff" if encoding == "utf-16-be" else ""
+    file.write_bytes((mark + GOOD + "# über\n").replace("\n", end).encode(encoding))
+    assert load(file).digest == leg().digest
 
 
 @pytest.mark.parametrize(
