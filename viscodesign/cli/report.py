@@ -73,9 +73,9 @@ def command(
     Reads summary.json, spec.yaml, trajectory.csv and shape.csv, and solves nothing. With -o page
     and pictures go to another folder. A film is dark with --style dark, else plain.
     """
+    from viscodesign.cli.film_file import film_file, told_what_is_kept
     from viscodesign.cli.output import json_text, say
     from viscodesign.report.film.film import write_film
-    from viscodesign.report.film.film_plan import FilmOptions
     from viscodesign.report.folder import PAGE, prepare_folder
     from viscodesign.report.page.page import write_page
     from viscodesign.report.read_run import read_run
@@ -90,14 +90,14 @@ def command(
         "dark": style == "dark",
         "pressures": not no_pressures,
     }
-    if film is not None:
-        FilmOptions(**options).checked(film)
-    shown, folder = read_run(run), output if output is not None else run
-    files = [write_page(shown, folder / PAGE)]
-    if pictures:
-        files += draw_run(shown, prepare_folder(folder, force=True), drawing)
-    if film is not None:
-        files.append(write_film(shown, film, **options))
+    files: list[Path] = []
+    with film_file(film, **options), told_what_is_kept(files, film):
+        shown, folder = read_run(run), output if output is not None else run
+        files.append(write_page(shown, folder / PAGE))
+        if pictures:
+            files += draw_run(shown, prepare_folder(folder, force=True), drawing)
+        if film is not None:
+            files.append(write_film(shown, film, **options))
     if json:
         say(json_text({"files": [str(file) for file in files]}))
     elif not quiet:

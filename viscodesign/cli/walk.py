@@ -101,23 +101,25 @@ def walked(
 ) -> tuple[WalkStudy, list[Path], list[str]]:
     """The gait of a robot, the files that it is written to, and its lines of text."""
     from viscodesign import walk as study_of
+    from viscodesign.cli.film_file import film_file, told_what_is_kept
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.texts.walk_text import walk_lines
-    from viscodesign.report.film.film_plan import FilmOptions
+    from viscodesign.report.film.walk_film import write_walk_film
     from viscodesign.report.folder import new_folder
     from viscodesign.report.walk_folder import write_walk
 
-    if film is not None:
-        FilmOptions().checked(film)
     folder = named_folder(scene.name, output)
-    with new_folder(folder, force=force), progress(quiet, "halving the step", "walking") as advance:
-        study = study_of(scene, progress=advance)
-    files = write_walk(study, folder, plots=plots, report=report, force=force, pictures=pictures)
-    if film is not None:
-        from viscodesign.report.film.walk_film import write_walk_film
-
-        files.append(write_walk_film(study, film))
+    later = "halving the step", "walking"
+    with film_file(film):
+        with new_folder(folder, force=force), progress(quiet, *later) as advance:
+            study = study_of(scene, progress=advance)
+        files = write_walk(
+            study, folder, plots=plots, report=report, force=force, pictures=pictures
+        )
+        with told_what_is_kept(files, film):
+            if film is not None:
+                files.append(write_walk_film(study, film))
     return study, files, walk_lines(study, folder, files)
 
 

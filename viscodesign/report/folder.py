@@ -184,10 +184,31 @@ def new_folder(directory: str | Path, *, force: bool = False) -> Iterator[None]:
 
     What the folder already holds by then stays.
     """
-    folder = Path(directory)
+    with _without_empty(Path(directory)):
+        prepare_folder(directory, force=force)
+        yield
+
+
+@contextmanager
+def new_file(path: Path) -> Iterator[None]:
+    """The folder of a file that is made within, likewise: one that cannot be written costs no time.
+
+    Raises `UsageError` and `OutputError` as `replaced` does.
+    """
+    with _without_empty(path.parent):
+        with write_errors_as_usage(path):
+            if path.is_dir():
+                raise UsageError(f"{path} is a folder; name a file")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            _try_writing(path.parent)
+        yield
+
+
+@contextmanager
+def _without_empty(folder: Path) -> Iterator[None]:
+    """Where what happens within fails, no folder remains that it made empty."""
     made = [path for path in (folder, *folder.parents) if not os.path.exists(path)]
     try:
-        prepare_folder(folder, force=force)
         yield
     except BaseException:
         with contextlib.suppress(OSError):  # not empty

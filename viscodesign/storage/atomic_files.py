@@ -30,6 +30,7 @@ REMEDIES = {
     errno.EROFS: "Use a writable folder.",
     errno.EACCES: "Use a folder that you may write to.",
     errno.EPERM: "Use a folder that you may write to.",
+    errno.EEXIST: "Part of the path is a file; use another path.",
     errno.ENOTDIR: "Part of the path is a file; use another path.",
     errno.EISDIR: "That is a folder; use another name.",
     errno.ENAMETOOLONG: "Use a shorter name.",

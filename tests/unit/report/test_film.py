@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import shutil
 import subprocess
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
@@ -117,7 +118,7 @@ def test_a_program_that_fails_says_why(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.setattr(encode.shutil, "which", lambda _: str(broken))
     with pytest.raises(UsageError, match="ffmpeg failed: no such codec"):
         made_run(time=np.linspace(0, 1, 3)).film(tmp_path / "out" / "leg.mp4", **SMALL)
-    assert list((tmp_path / "out").iterdir()) == []
+    assert list(tmp_path.iterdir()) == [broken]
 
 
 def test_a_failed_run_says_so_in_every_frame(tmp_path: Path) -> None:
@@ -174,6 +175,71 @@ def test_what_cannot_be_filmed_is_refused(
     with pytest.raises(UsageError, match=told):
         made_run(time=np.linspace(0, 1, 5)).film(tmp_path / name, **{"speed": 1.0, **options})  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture
+def run_folder(tmp_path: Path) -> Path:
+    text = (CONFIGS / "leg_16_straight_air.yaml").read_text()
+    write_run(made_run(spec_text=text), tmp_path / "run", plots=False, report=False)
+    return tmp_path / "run"
+
+
+def interrupted(frames: int) -> object:
+    """Frames of a film of which Ctrl-C comes after a few."""
+
+    def made(
+        run: object, tubes: object, rows: object, options: FilmOptions
+    ) -> Iterator[np.ndarray]:
+        for _ in range(frames):
+            yield np.zeros((*options.size[::-1], 4), dtype=np.uint8)
+        raise KeyboardInterrupt
+
+    return made
+
+
+@pytest.mark.parametrize("kind", ["gif", "webp"])
+@pytest.mark.parametrize("earlier", [b"", b"an earlier film"])
+def test_an_interrupted_film_says_what_is_kept(
+    run_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    kind: str,
+    earlier: bytes,
+) -> None:
+    monkeypatch.setattr("viscodesign.report.film.film_frames.film_frames", interrupted(2))
+    film = run_folder.parent / "films" / f"leg.{kind}"
+    if earlier:
+        film.parent.mkdir()
+        film.write_bytes(earlier)
+    assert main(["report", str(run_folder), "--film", str(film)]) == 130
+    told = capsys.readouterr()
+    state = f"{film} is still the earlier one" if earlier else f"there is no {film}"
+    assert told.err == f"interrupted; written before: {run_folder / 'report.html'}; {state}\n"
+    assert told.out == ""
+    assert (run_folder / "report.html").exists()
+    assert film.parent.exists() == bool(earlier)
+    assert not earlier or [file.read_bytes() for file in film.parent.iterdir()] == [earlier]
+
+
+@pytest.mark.parametrize(
+    ("place", "told"),
+    [
+        ("file/leg.gif", "Part of the path is a file"),
+        ("file/deep/leg.gif", "Part of the path is a file"),
+        ("folder.gif", "is a folder; name a file"),
+        ("n" * 300 + "/leg.gif", "Use a shorter name"),
+        ("/proc/nosuch/leg.gif", "cannot write /proc/nosuch/leg.gif"),
+    ],
+)
+def test_a_film_with_no_place_is_refused_before_anything_is_written(
+    run_folder: Path, capsys: pytest.CaptureFixture[str], place: str, told: str
+) -> None:
+    (run_folder.parent / "file").write_text("")
+    (run_folder.parent / "folder.gif").mkdir()
+    assert main(["report", str(run_folder), "--film", str(run_folder.parent / place)]) == 2
+    assert told in capsys.readouterr().err
+    assert not (run_folder / "report.html").exists()
+    assert {file.name for file in run_folder.parent.iterdir()} == {"file", "folder.gif", "run"}
 
 
 def test_frames_are_the_nearest_output_times() -> None:

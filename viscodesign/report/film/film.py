@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 
 from viscodesign.report.film.film_plan import FilmOptions, film_rows
+from viscodesign.report.folder import new_file
 from viscodesign.report.page.page_data import tube_ends
 from viscodesign.report.page.sketch_numbers import scene_of
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.storage.atomic_files import write_errors_as_usage
 
 
 def write_film(run: Trajectory, file: str | Path, **options: Any) -> Path:
@@ -23,11 +23,10 @@ def write_film(run: Trajectory, file: str | Path, **options: Any) -> Path:
     path = Path(file)
     chosen = FilmOptions(**options).checked(path)
     rows = film_rows(run.time, chosen)
-    with write_errors_as_usage(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
     from viscodesign.report.film.encode import write_frames
     from viscodesign.report.film.film_frames import film_frames
 
-    frames = film_frames(run, tube_ends(run, scene_of(run)), rows, chosen)
-    write_frames(frames, len(rows), path, chosen)
+    with new_file(path):
+        frames = film_frames(run, tube_ends(run, scene_of(run)), rows, chosen)
+        write_frames(frames, len(rows), path, chosen)
     return path

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from viscodesign.report.film.film_plan import FilmOptions, film_rows
+from viscodesign.report.folder import new_file
 from viscodesign.report.picture_options import PictureOptions
 from viscodesign.results.walk_study import WalkStudy
-from viscodesign.storage.atomic_files import write_errors_as_usage
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,11 +32,10 @@ def write_walk_film(study: WalkStudy, file: str | Path, **options: Any) -> Path:
     path = Path(file)
     chosen = FilmOptions(**options).checked(path)
     rows = film_rows(study.motion.time[study.motion.rows], chosen)
-    with write_errors_as_usage(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
     from viscodesign.report.film.encode import write_frames
 
-    write_frames(_frames(study, rows, chosen), len(rows), path, chosen)
+    with new_file(path):
+        write_frames(_frames(study, rows, chosen), len(rows), path, chosen)
     return path
 
 
