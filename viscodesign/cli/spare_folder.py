@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import tempfile
 from collections.abc import Callable
@@ -23,6 +24,8 @@ def written(write: Callable[[Path], Written], folder: Path) -> Written:
     try:
         return write(folder)
     except (OutputError, UsageError) as error:
+        with contextlib.suppress(OSError):  # not empty
+            folder.rmdir()
         raise OutputError(f"{error}\n{_kept_elsewhere(write, folder)}") from error
 
 

@@ -12,8 +12,9 @@ import math
 import os
 import time as clock
 from collections.abc import Iterable, Iterator
+from io import FileIO
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from viscodesign.errors import UsageError
 from viscodesign.report.folder import SWEEP_ROWS
@@ -28,7 +29,7 @@ LOCK_S = 3.0
 class Journal:
     """The rows of one study in its folder; one process at a time."""
 
-    def __init__(self, file: IO[bytes], path: Path, found: dict[int, DesignResult]) -> None:
+    def __init__(self, file: FileIO, path: Path, found: dict[int, DesignResult]) -> None:
         self._file, self._path = file, path
         self.found = found
         """Rows that were there, by their numbers."""
@@ -36,8 +37,7 @@ class Journal:
     def add(self, results: Iterable[DesignResult]) -> None:
         """Append rows; they are on the disk when this returns."""
         with write_errors_as_usage(self._path):
-            self._file.write(b"".join(map(_line, results)))
-            self._file.flush()
+            _append(self._file, b"".join(map(_line, results)))
             os.fsync(self._file.fileno())
 
 
@@ -50,7 +50,7 @@ def opened(folder: Path, study: str, words: str, *, replace: bool = False) -> It
     """
     path = folder / SWEEP_ROWS
     with write_errors_as_usage(path):
-        file = path.open("a+b")
+        file = path.open("a+b", buffering=0)
     with file:
         _lock(file, folder)
         file.seek(0)
@@ -71,12 +71,20 @@ def opened(folder: Path, study: str, words: str, *, replace: bool = False) -> It
         with write_errors_as_usage(path):
             file.truncate(sum(map(len, lines)))
             if not lines:
-                file.write(_json({"study": study, "words": words}))
-                file.flush()
+                _append(file, _json({"study": study, "words": words}))
         yield Journal(file, path, {found.row: found for found in results})
 
 
-def _lock(file: IO[bytes], folder: Path) -> None:
+def _append(file: FileIO, text: bytes) -> None:
+    """Write all of a text.
+
+    Without a buffer: after a full disk it would be written once more as the file is closed.
+    """
+    while text:
+        text = text[file.write(text) :]
+
+
+def _lock(file: FileIO, folder: Path) -> None:
     until = clock.monotonic() + LOCK_S
     while True:
         try:

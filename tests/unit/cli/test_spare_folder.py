@@ -55,7 +55,7 @@ def test_a_run_that_finds_no_room_is_kept_elsewhere(
     folder = Path(place[1])
     assert folder.parent == spare
     assert {"trajectory.csv", "summary.json", "report.html"} <= {f.name for f in folder.iterdir()}
-    assert not list((tmp_path / "full" / "leg").iterdir())
+    assert not (tmp_path / "full" / "leg").exists()
 
 
 def test_no_room_anywhere_says_so_and_leaves_nothing(
