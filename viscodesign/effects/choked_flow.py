@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
 
@@ -14,14 +14,16 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.system import System
 from viscodesign.model.traced_formula import traced
 from viscodesign.physics import choking, gas, tube
-from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
 from viscodesign.postprocess.sustained import Sustained
 from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
-from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
+
+if TYPE_CHECKING:
+    from viscodesign.postprocess.motion import Motion
+    from viscodesign.solve.problem import Problem
 
 LEAST_RATIO = 0.02
 """Absolute over ambient pressure below which an estimate takes no gas to be thinner."""

@@ -18,8 +18,7 @@ from viscodesign.model.system import System
 from viscodesign.physics import bellow
 from viscodesign.postprocess.motion_limits import Limit, Peak
 from viscodesign.results.findings import Notice
-from viscodesign.solve.events import FLOOR_REL_TOL
-from viscodesign.solve.obstacles import Obstacle
+from viscodesign.solve.obstacles import FLOOR_REL_TOL, Obstacle
 
 
 @dataclass(frozen=True, eq=False)

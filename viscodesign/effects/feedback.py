@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import casadi as ca
 import numpy as np
@@ -18,13 +18,14 @@ from viscodesign.model.bellow_law import places
 from viscodesign.model.scene_number import Numbers, mean_of
 from viscodesign.model.system import System
 from viscodesign.physics import bellow
-from viscodesign.postprocess.stability import growth_notices
 from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.results.findings import Notice
 from viscodesign.scene.bellow_numbers import moving_bellows
 from viscodesign.scene.body_numbers import section_stiffnesses
-from viscodesign.solve.problem import Problem
-from viscodesign.solve.statics import Start
+
+if TYPE_CHECKING:
+    from viscodesign.solve.problem import Problem
+    from viscodesign.solve.statics import Start
 
 RECIPROCITY_REL_TOL = 0.05
 """Ratio of the two coefficients of a coupling, less one, up to which they count as equal."""
@@ -171,6 +172,9 @@ class Feedback(Effect):
         """Linear instability, which a damped rod without loads does not have."""
         is_free = quantities.tip_force + quantities.weight == 0.0
         if self.name in active and not (is_free and Trait.ROD_DAMPING in traits_of(active)):
+            # Its matrices take time to import, and only a solved scene needs them.
+            from viscodesign.postprocess.stability import growth_notices
+
             yield from growth_notices(problem, start)
 
     def join(self, system: System) -> None:

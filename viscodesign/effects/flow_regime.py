@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 import casadi as ca
 import numpy as np
@@ -16,13 +16,15 @@ from viscodesign.model.system import System
 from viscodesign.model.traced_formula import traced
 from viscodesign.physics import tube
 from viscodesign.physics.tube import LAMINAR_REYNOLDS
-from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, MotionBlock, Peak
 from viscodesign.postprocess.sustained import Sustained
 from viscodesign.references import LiteratureReference
 from viscodesign.results.findings import Notice
-from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
+
+if TYPE_CHECKING:
+    from viscodesign.postprocess.motion import Motion
+    from viscodesign.solve.problem import Problem
 
 SLOW_REYNOLDS = 1000.0
 """Reynolds number up to which the friction is that of laminar flow, to round-off."""

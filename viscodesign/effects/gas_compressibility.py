@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
 
@@ -16,12 +16,14 @@ from viscodesign.model.fluid import Gas
 from viscodesign.model.system import System
 from viscodesign.physics import gas, tube
 from viscodesign.physics.choking import CHOKING_MACH
-from viscodesign.postprocess.motion import Motion
 from viscodesign.postprocess.motion_limits import Limit, Peak
 from viscodesign.postprocess.sustained import Sustained
 from viscodesign.results.findings import Notice
-from viscodesign.solve.problem import Problem
 from viscodesign.storage.disk_arrays import blocks
+
+if TYPE_CHECKING:
+    from viscodesign.postprocess.motion import Motion
+    from viscodesign.solve.problem import Problem
 
 INCOMPRESSIBLE_MACH = 0.3
 """Mach number from which a gas can no longer be taken as incompressible."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import ClassVar, Self
+from typing import TYPE_CHECKING, ClassVar, Self
 
 import casadi as ca
 
@@ -15,10 +15,12 @@ from viscodesign.estimate.term import EstimateTerm
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.model.system import System
 from viscodesign.physics.timescales import LARGEST_TIME_RATIO
-from viscodesign.postprocess.motion import Motion
 from viscodesign.references import PAPER, LiteratureReference
 from viscodesign.solve.obstacles import Obstacle
-from viscodesign.solve.problem import Problem
+
+if TYPE_CHECKING:
+    from viscodesign.postprocess.motion import Motion
+    from viscodesign.solve.problem import Problem
 
 FOLD_FAILURES = ("equilibrium", "motion")
 """What fails at a fold: the equilibrium itself, or an integrator that follows its fluid."""

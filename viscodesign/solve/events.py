@@ -19,11 +19,10 @@ from viscodesign.solve.event_failures import (
     overdrawn_bellow,
     thinnest_section,
 )
+from viscodesign.solve.obstacles import FLOOR_REL_TOL
 from viscodesign.solve.problem import Problem, evaluate_at, evaluate_times, section_strains
 from viscodesign.solve.statics import Start
 
-FLOOR_REL_TOL = 0.02
-"""Part of its minimum volume by which a bellow may fall below it: loads take volume too."""
 VANISHING_STRETCH = 0.01
 """Stretch of a section that ends a run: the linear law presses it to nothing, and on the way there
 any two solutions part."""

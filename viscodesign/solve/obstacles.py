@@ -15,6 +15,9 @@ class Obstacle(Enum):
     OVERDRAWN = "a syringe draws more than the bellows can give"
 
 
+FLOOR_REL_TOL = 0.02
+"""Part of its minimum volume by which a bellow may fall below it: loads take volume too."""
+
 Remedies = Mapping[Obstacle, tuple[str, ...]]
 """What the effects of a scene offer against each obstacle: clauses that begin with a verb."""
 

@@ -17,7 +17,8 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.solve_once import Run, solve
 from viscodesign.solve.event_failures import EventError, emptied_bellow
-from viscodesign.solve.events import FLOOR_REL_TOL, VANISHING_STRETCH
+from viscodesign.solve.events import VANISHING_STRETCH
+from viscodesign.solve.obstacles import FLOOR_REL_TOL
 
 DURATION = 2.0
 DIP = "input={{kind: table, rows: [[0, 0], [1, {}], [2, 0]]}}"
