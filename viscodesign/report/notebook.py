@@ -13,8 +13,10 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.reading.write import plain_part
 from viscodesign.scene.scene import Scene
 
+Rows = Iterable[tuple[str, str]]
+"""What something is, and its value, in words."""
 MOST_SHOWN = 200
-"""Characters of a value: a table of measured rows is not listed."""
+"""Characters of a key's value: a table of measured rows is not listed."""
 MOST_POINTS = 400
 """Points of a path that is drawn."""
 SIDE = 180
@@ -23,12 +25,12 @@ SIDE = 180
 
 def scene_html(scene: Scene) -> str:
     """The resolved spec, a row for each key."""
-    return _table(repr(scene), _rows(plain_part(scene)))
+    return html_table(repr(scene), _rows(plain_part(scene)))
 
 
 def trajectory_html(trajectory: Trajectory) -> str:
     """What came out, and the path of the tip."""
-    table = _table(repr(trajectory), _outcome(trajectory))
+    table = html_table(repr(trajectory), _outcome(trajectory))
     return f"<div>{table}{tip_svg(trajectory)}</div>"
 
 
@@ -54,7 +56,7 @@ def tip_svg(trajectory: Trajectory) -> str:
     )
 
 
-def _outcome(trajectory: Trajectory) -> Iterable[tuple[str, str]]:
+def _outcome(trajectory: Trajectory) -> Rows:
     accuracy, metrics = trajectory.accuracy, trajectory.metrics
     yield "status", trajectory.failure or trajectory.status
     yield "quadrant", f"{trajectory.classification.quadrant}: {trajectory.classification.meaning}"
@@ -73,19 +75,21 @@ def _outcome(trajectory: Trajectory) -> Iterable[tuple[str, str]]:
         yield f"warning: {notice.code}", notice.message
 
 
-def _rows(keys: dict[str, Any], above: str = "") -> Iterable[tuple[str, str]]:
+def _rows(keys: dict[str, Any], above: str = "") -> Rows:
     for key, value in keys.items():
         if isinstance(value, dict):
             yield from _rows(value, f"{above}{key}.")
         else:
-            yield f"{above}{key}", str(value)
+            text = str(value)
+            short = text if len(text) <= MOST_SHOWN else f"{text[: MOST_SHOWN - 4]} ..."
+            yield f"{above}{key}", short
 
 
-def _table(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    lines = [f"<tr><th>{_shown(key)}</th><td>{_shown(value)}</td></tr>" for key, value in rows]
-    return f"<table><caption>{_shown(title)}</caption>{''.join(lines)}</table>"
-
-
-def _shown(text: str) -> str:
-    short = text if len(text) <= MOST_SHOWN else f"{text[: MOST_SHOWN - 4]} ..."
-    return html.escape(short)
+def html_table(title: str, rows: Rows) -> str:
+    """A table with a caption, a row a line; texts are shown as texts."""
+    lines = (
+        f'<tr><th scope="row">{html.escape(key)}</th>'
+        f'<td style="text-align: left">{html.escape(value)}</td></tr>'
+        for key, value in rows
+    )
+    return f"<table><caption>{html.escape(title)}</caption>{''.join(lines)}</table>"

@@ -22,6 +22,16 @@ TIP_QUANTITIES = ("tip_x", "tip_z", "tip_angle")
 """Quantities of the last point of the axis."""
 PICTURE_UNITS = {"m": ("mm", 1e3), "Pa": ("kPa", 1e-3), "m^3": ("mL", 1e6), "m^3/s": ("mL/s", 1e6)}
 """SI unit -> what pictures show instead, and how many of these it is."""
+RESOLVED_MM = 1e-6
+"""Distances below this are rounding [mm]."""
+
+
+def millimetres(length: float | None) -> str:
+    """A distance [m] in words, to three digits; what there is to say where none is known."""
+    if length is None:
+        return "not known"
+    value = 1e3 * length
+    return f"< {RESOLVED_MM:g} mm" if 0.0 < abs(value) < RESOLVED_MM else f"{value:.3g} mm"
 
 
 class Per(enum.StrEnum):

@@ -14,6 +14,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import json_ready
 from viscodesign.results.mismatch import Mismatch
+from viscodesign.results.notebook_view import NotebookView
 from viscodesign.results.provenance import provenance
 
 RunStatus = Literal["complete", "unfinished", "interrupted", "mismatch"]
@@ -178,7 +179,7 @@ class Experiment:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class Fit(NotebookView):
     """The numbers of a spec by measurements."""
 
     name: str

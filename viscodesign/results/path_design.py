@@ -12,6 +12,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice, json_ready, validity_document
+from viscodesign.results.notebook_view import NotebookView
 from viscodesign.results.provenance import provenance
 
 DesignStatus = Literal["met", "not_met", "refused"]
@@ -62,7 +63,7 @@ class HistoryRow:
 
 
 @dataclass(frozen=True, eq=False)
-class PathDesign:
+class PathDesign(NotebookView):
     """The design that a search found for a wanted path of the tip."""
 
     name: str

@@ -11,6 +11,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice, json_ready, validity_document
+from viscodesign.results.notebook_view import NotebookView
 from viscodesign.results.provenance import provenance
 
 
@@ -62,7 +63,7 @@ class ReachedPoint:
 
 
 @dataclass(frozen=True, eq=False)
-class ReachStudy:
+class ReachStudy(NotebookView):
     """The set of points that a tip can visit, by its edge."""
 
     name: str

@@ -14,6 +14,7 @@ from viscodesign.lazy_names import module_above
 from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.results.findings import json_ready
 from viscodesign.results.metrics import METRIC_NAMES
+from viscodesign.results.notebook_view import NotebookView
 from viscodesign.results.trajectory import Status
 
 if TYPE_CHECKING:
@@ -306,7 +307,7 @@ class TipDifference:
 
 
 @dataclass(frozen=True, eq=False)
-class Comparison:
+class Comparison(NotebookView):
     """Motions, and how far each is from the first."""
 
     motions: tuple[ComparedMotion, ...]

@@ -12,6 +12,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import json_ready
+from viscodesign.results.notebook_view import NotebookView
 from viscodesign.results.provenance import provenance
 from viscodesign.storage.cached_property import cached_property
 
@@ -52,7 +53,7 @@ class SampledVariance:
 
 
 @dataclass(frozen=True, eq=False)
-class SensitivityStudy:
+class SensitivityStudy(NotebookView):
     """How far each number of a scene moves its tip, at every output time."""
 
     name: str

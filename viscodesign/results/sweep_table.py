@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.findings import Notice, documents, json_ready
 from viscodesign.results.metrics import METRIC_NAMES
+from viscodesign.results.notebook_view import NotebookView
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -91,7 +92,7 @@ def unit_suffix(unit: str | None) -> str:
 
 
 @dataclass(frozen=True)
-class Sweep:
+class Sweep(NotebookView):
     """A table of designs."""
 
     name: str

@@ -37,7 +37,7 @@ from viscodesign.results.findings import Scales
 from viscodesign.results.fit_result import FittedRun
 from viscodesign.results.paper_figure import FigurePanel, PaperCheck, PaperFigure
 from viscodesign.results.path_design import HistoryRow, without_design
-from viscodesign.results.reach_study import ReachStudy
+from viscodesign.results.reach_study import ReachedPoint, ReachStudy
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.sensitivity_study import SensitiveNumber, SensitivityStudy
 
@@ -67,10 +67,12 @@ def _design() -> Any:
 
 
 def _reach() -> ReachStudy:
-    point = SimpleNamespace(
-        at=(0.015, 0.1), path=CIRCLE[:20], is_reached=True, miss_m=1e-5, spec_text="",
+    point = ReachedPoint(
+        at=(0.015, 0.1), time_s=3.0, tip=(0.0151, 0.1), miss_m=1e-4, stated_error_m=2e-5,
+        tolerance_m=5e-4, path=CIRCLE[:20], times=np.zeros(2), pressures=np.zeros(2), spec_text="",
+        evaluations=7,
     )  # fmt: skip
-    return ReachStudy("leg", (-1e3, 2e3), None, CIRCLE, CIRCLE * [1.2, 1.05], point, None, 0.0)  # type: ignore[arg-type]
+    return ReachStudy("leg", (-1e3, 2e3), None, CIRCLE, CIRCLE * [1.2, 1.05], None, point, 0.0)
 
 
 def _fit() -> Any:
