@@ -9,6 +9,8 @@ import numpy as np
 from viscodesign.scene.ground import Ground
 
 CIRCLE_POINTS = 181
+BEYOND = 0.01
+"""How far drawn points may lie behind a surface and still count as touching it, of the length."""
 
 
 def ground_outline(ground: Ground, reach: float) -> np.ndarray:
@@ -18,21 +20,53 @@ def ground_outline(ground: Ground, reach: float) -> np.ndarray:
     if ground.kind == "circle":
         assert ground.centre is not None
         assert ground.radius is not None
-        turn = np.linspace(0, 2 * np.pi, CIRCLE_POINTS)
-        ring = ground.radius * np.column_stack([np.cos(turn), np.sin(turn)])
-        return np.asarray(ring + np.array([ground.centre.x, ground.centre.z]))
+        return np.asarray(_ring(ground.radius) + np.array([ground.centre.x, ground.centre.z]))
+    point, away = _line(ground)
+    nearest = away * (away @ point)
+    along = np.array([away[1], -away[0]])
+    return np.array([nearest - reach * along, nearest + reach * along])
+
+
+def feet(ground: Ground, tips: np.ndarray) -> np.ndarray:
+    """Rings (n, k, 2) [m] of the round foot about tips (n, 2) [m]; none for a tip without one."""
+    if not ground.foot_radius:
+        return np.zeros((0, CIRCLE_POINTS, 2))
+    return np.asarray(tips[:, None] + _ring(ground.foot_radius))
+
+
+def lies_beyond(ground: Ground, points: np.ndarray, length: float) -> bool:
+    """Whether any of the points (..., 2) [m] lies behind the surface, as no body can.
+
+    ``length`` of the actuator [m], by which it is told what lies on the surface.
+    """
+    if ground.kind == "circle":
+        assert ground.centre is not None
+        assert ground.radius is not None
+        apart = points - np.array([ground.centre.x, ground.centre.z])
+        gap = np.hypot(apart[..., 0], apart[..., 1]) - ground.radius
+    else:
+        point, away = _line(ground)
+        gap = (points - point) @ away
+    return bool(np.min(gap) < -BEYOND * length)
+
+
+def _line(ground: Ground) -> tuple[np.ndarray, np.ndarray]:
+    """A point [m] of a straight surface, and the unit vector in which it pushes."""
     assert ground.point is not None
     assert ground.normal is not None
     away = np.array([math.sin(ground.normal), math.cos(ground.normal)])
-    nearest = away * (away @ [ground.point.x, ground.point.z])
-    along = np.array([away[1], -away[0]])
-    return np.array([nearest - reach * along, nearest + reach * along])
+    return np.array([ground.point.x, ground.point.z]), away
+
+
+def _ring(radius: float) -> np.ndarray:
+    turn = np.linspace(0, 2 * np.pi, CIRCLE_POINTS)
+    return radius * np.column_stack([np.cos(turn), np.sin(turn)])
 
 
 def ground_words(ground: Ground) -> str:
     """What touches the line that is drawn: a body drawn about its axis may lie across it."""
     if ground.touches == "sections":
-        return "ground, as the axis touches it"
+        return "ground, touched by the axis"
     if ground.foot_radius:
-        return f"ground, as a foot of {1e3 * ground.foot_radius:.3g} mm about the tip touches it"
-    return "ground, as the tip touches it"
+        return f"ground, touched by the tip's round foot ({1e3 * ground.foot_radius:.3g} mm)"
+    return "ground, touched by the tip"

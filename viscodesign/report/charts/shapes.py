@@ -12,14 +12,22 @@ from matplotlib.colors import Colormap, Normalize
 from matplotlib.patches import Rectangle
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.ground_outline import ground_outline, ground_words
+from viscodesign.report.ground_outline import feet, ground_outline, ground_words
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
 from viscodesign.report.layout.label_placement import POINTS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes, spread_instants
 from viscodesign.report.layout.strip import Frame, Strip, arrange
-from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture
+from viscodesign.report.layout.style import (
+    NOTE_ROOM,
+    Target,
+    axes_at,
+    draw_note,
+    head,
+    head_room,
+    picture,
+)
 from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
 from viscodesign.report.page.page_data import tube_ends
 from viscodesign.report.page.sketch_numbers import ground_of, scene_of
@@ -64,6 +72,8 @@ class Snapshots:
     """Half width and height."""
     ground: np.ndarray | None
     """(n, 2) the line that may be touched."""
+    feet: np.ndarray
+    """(N, k, 2) the round feet that touch it; none where the tip is a point."""
 
 
 def draw_shapes(trajectory: Trajectory, path: Target) -> None:
@@ -72,7 +82,9 @@ def draw_shapes(trajectory: Trajectory, path: Target) -> None:
     foot = FOOT_HEIGHT + (0.0 if width >= LEAST_WIDTH else 0.24)
     snapshots = _snapshots(trajectory, MOST_SNAPSHOTS if width >= LEAST_WIDTH else NARROW_SNAPSHOTS)
     strip = arrange(_frames(snapshots), 1e3 * trajectory.length, width - 2 * SIDE)
-    height = foot + strip.height + head_room(trajectory, width)
+    ground = ground_of(trajectory)
+    note = 0.0 if ground is None else NOTE_ROOM
+    height = foot + strip.height + note + head_room(trajectory, width)
     with picture(path, width, height) as made:
         axes = axes_at(made, SIDE, foot, width - 2 * SIDE, strip.height)
         wide, high = (width - 2 * SIDE) / strip.scale, strip.height / strip.scale
@@ -88,7 +100,10 @@ def draw_shapes(trajectory: Trajectory, path: Target) -> None:
         _draw_sides(axes, snapshots, strip)
         _draw_scale(made, strip)
         _draw_bar(made, ScalarMappable(norm, colours), occurring, width)
-        head(made, trajectory, "shapes and gauge pressures" + _told_ground(trajectory), SIDE)
+        if ground is not None:
+            level = foot + strip.height + 0.08
+            draw_note(made, f"dashed: {ground_words(ground)}", SIDE, level)
+        head(made, trajectory, "shapes and gauge pressures", SIDE)
 
 
 def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
@@ -100,6 +115,7 @@ def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
     tubes = tube_ends(trajectory, scene_of(trajectory))
     inlets = inlet_places(trajectory.inlets, tubes, width)
     drawn = tubes if len(tubes) <= MOST_TUBES else []
+    ground, reach = ground_of(trajectory), float(np.ptp(axis)) + width
     return Snapshots(
         time_labels(trajectory.time[rows]),
         axis,
@@ -110,19 +126,9 @@ def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
         trajectory.inlets,
         trajectory["inlet_pressure"][rows] / 1e3,
         (0.7 * width, 0.14 * width),
-        _ground(trajectory, float(np.ptp(axis)) + width),
+        None if ground is None else 1e3 * ground_outline(ground, 1e-3 * reach),
+        np.zeros((0, 2, 2)) if ground is None else 1e3 * feet(ground, 1e-3 * axis[:, -1]),
     )
-
-
-def _ground(trajectory: Trajectory, reach: float) -> np.ndarray | None:
-    """The line of the ground [mm], so far to either side as ``reach`` [mm]."""
-    ground = ground_of(trajectory)
-    return None if ground is None else 1e3 * ground_outline(ground, 1e-3 * reach)
-
-
-def _told_ground(trajectory: Trajectory) -> str:
-    ground = ground_of(trajectory)
-    return "" if ground is None else f"; dashed: {ground_words(ground)}"
 
 
 def _frames(snapshots: Snapshots) -> list[Frame]:
@@ -210,6 +216,10 @@ def _draw_ground(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
         corner = (origin[0] + frame.left, origin[1] + frame.top)
         size = (frame.right - frame.left, frame.bottom - frame.top)
         line.set_clip_path(Rectangle(corner, *size, transform=axes.transData))
+    rings = [own + np.array(at) for own, at in zip(snapshots.feet, strip.origins, strict=False)]
+    axes.add_collection(
+        LineCollection(rings, colors=look().accent, linewidths=0.9, zorder=4.5, clip_on=False)
+    )
 
 
 def _draw_labels(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:

@@ -10,20 +10,31 @@ from matplotlib.collections import LineCollection, PolyCollection
 from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_instants import draw_instants
 from viscodesign.report.charts.tip_path import draw_path, time_range
-from viscodesign.report.ground_outline import ground_outline, ground_words
+from viscodesign.report.ground_outline import feet, ground_outline, ground_words, lies_beyond
 from viscodesign.report.layout.bellow_blocks import body_widths
 from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
-from viscodesign.report.layout.style import TIME_DIGITS, Target, axes_at, head, head_room, picture
+from viscodesign.report.layout.style import (
+    NOTE_ROOM,
+    TIME_DIGITS,
+    Target,
+    axes_at,
+    draw_note,
+    head,
+    head_room,
+    picture,
+)
 from viscodesign.report.page.sketch_numbers import ground_of
 from viscodesign.results.channels import channel
 from viscodesign.results.trajectory import Trajectory
-from viscodesign.storage.disk_arrays import extremes
+from viscodesign.storage.disk_arrays import extremes, rows_at
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+    from viscodesign.scene.ground import Ground
 
 MOST_INSTANTS = 7
 LARGEST_AXES = np.array((4.6, 4.8))
@@ -35,15 +46,16 @@ ZOOM_GAP, ZOOM, ZOOM_LEGEND, LEGEND_LINE = 0.7, 2.1, 0.5, 0.2
 """Room before, and side of, the enlarged path, and the legend's where that is below [inch]."""
 LEAST_BESIDE = 6.0
 """Least width that was asked for with the enlarged path on the right [inch]; else it is below."""
-ZOOM_RANGE = (1e-3, 0.12)
-"""A path whose extent is in this range, in actuator lengths, is also drawn enlarged."""
+ZOOM_RANGE = (1e-3, 0.25)
+"""A path whose extent is in this range, in parts of that of the bodies, is also drawn enlarged."""
 
 
 def draw_tip(trajectory: Trajectory, path: Target) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
     instants = spread_instants(trajectory, MOST_INSTANTS)
+    rows = trajectory.shape_rows[instants]
     bodies = outline(trajectory.shape[instants], body_widths(trajectory)) * 1e3
-    zoomed = _is_small(trajectory)
+    zoomed = _is_small(trajectory, bodies)
     asked = look().width
     is_narrow = asked is not None and asked < LEAST_BESIDE
     below = zoomed and is_narrow
@@ -54,7 +66,9 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         largest, smallest = np.array((room, LARGEST_AXES[1])), np.array((room, SMALLEST_AXES[1]))
     low, high = _limits(trajectory, bodies, largest, smallest)
     width, height = np.maximum((high - low) * _scale(low, high, largest), smallest).tolist()
-    base = BOTTOM + (BOTTOM + ZOOM + ZOOM_LEGEND if below else LEGEND_LINE * is_narrow)
+    ground = ground_of(trajectory)
+    foot = 0.0 if ground is None else NOTE_ROOM
+    base = foot + BOTTOM + (BOTTOM + ZOOM + ZOOM_LEGEND if below else LEGEND_LINE * is_narrow)
     right = LEFT + width + beside
     full = right + RIGHT
     with picture(path, full, base + height + head_room(trajectory, full)) as made:
@@ -62,17 +76,23 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         _draw_clamp(axes, trajectory)
-        _draw_ground(axes, trajectory)
-        _draw_bodies(axes, trajectory, instants, bodies)
+        if ground is not None:
+            _draw_ground(axes, ground, rows_at(trajectory.tip, rows)[:, :2])
+            draw_note(made, f"dashed: {ground_words(ground)}", LEFT)
+        # What touches the ground is the axis: no outline is drawn across it.
+        if ground is None or not lies_beyond(ground, 1e-3 * bodies, trajectory.length):
+            _draw_outlines(axes, bodies)
+        _draw_axes(axes, trajectory, instants)
         draw_band(axes, trajectory)
         lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
         if zoomed:
             side = min(ZOOM, width)
-            axes = axes_at(made, LEFT if below else right - ZOOM, BOTTOM, side, side)
+            axes = axes_at(made, LEFT if below else right - ZOOM, foot + BOTTOM, side, side)
             _draw_enlarged(axes, trajectory)
-        draw_instants(axes, trajectory, trajectory.shape_rows[instants])
+        draw_instants(axes, trajectory, rows)
         legend = LEFT + ZOOM if below else right
-        _draw_legend(made, axes, legend, BOTTOM + ZOOM + 0.25 * below + 0.05 if zoomed else 0.07)
+        level = BOTTOM + ZOOM + 0.25 * below + 0.05 if zoomed else 0.07
+        _draw_legend(made, axes, legend, foot + level)
         bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, base, 0.12, height))
         bar.set_label(channel("time").label)
         bar.outline.set_visible(False)
@@ -81,15 +101,16 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
             bar.set_ticks([float(trajectory.time[0])])
         thinned = len(trajectory.time) > MOST_PLOTTED_ROWS
         told = f"tip path{' (excerpts)' if thinned else ''}"
-        if trajectory.uncertainty is not None:
+        if trajectory.uncertainty is not None and not trajectory.uncertainty.is_still:
             told += ", 95 % band"
         head(made, trajectory, told, LEFT)
 
 
-def _is_small(trajectory: Trajectory) -> bool:
+def _is_small(trajectory: Trajectory, bodies: np.ndarray) -> bool:
     low, high = extremes(trajectory.tip)
-    extent = float(np.max((high - low)[:2]))
-    return ZOOM_RANGE[0] < extent / trajectory.length < ZOOM_RANGE[1]
+    extent = 1e3 * float(np.max((high - low)[:2]))
+    drawn = float(np.max(np.ptp(bodies.reshape(-1, 2), axis=0)))
+    return ZOOM_RANGE[0] < extent / drawn < ZOOM_RANGE[1]
 
 
 def _draw_enlarged(axes: Axes, trajectory: Trajectory) -> None:
@@ -145,31 +166,26 @@ def _draw_clamp(axes: Axes, trajectory: Trajectory) -> None:
     axes.plot([-half, half], [0, 0], color=look().ink, lw=1.5, solid_capstyle="butt", zorder=3)
 
 
-def _draw_ground(axes: Axes, trajectory: Trajectory) -> None:
-    """The line that may be touched, as far as it is in the frame, and what touches it there."""
-    ground = ground_of(trajectory)
-    if ground is None:
-        return
+def _draw_ground(axes: Axes, ground: Ground, tips: np.ndarray) -> None:
+    """The line that may be touched, as far as it is in the frame, and the feet at ``tips`` (n, 2)
+    [m] that touch it."""
     (low, high), (top, bottom) = axes.get_xlim(), axes.get_ylim()
     reach = 1e-3 * (abs(low) + abs(high) + abs(top) + abs(bottom))
     line = 1e3 * ground_outline(ground, reach)
     axes.plot(*line.T, color=look().accent, lw=1.2, ls=(0, (6, 2)), zorder=2.5)
-    axes.text(
-        0.01, 0.01, f"dashed: {ground_words(ground)}", transform=axes.transAxes, fontsize=7,
-        va="bottom", zorder=6,
-        bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.8, "pad": 1.0},
-    )  # fmt: skip
+    rings = list(1e3 * feet(ground, tips))
+    axes.add_collection(LineCollection(rings, colors=look().accent, linewidths=0.8, zorder=3.5))
 
 
-def _draw_bodies(
-    axes: Axes, trajectory: Trajectory, instants: np.ndarray, bodies: np.ndarray
-) -> None:
-    """Outlines in a light grey, axes in the colour of their time."""
-    axes.add_collection(
-        PolyCollection(
-            list(bodies), facecolors=look().body, edgecolors=look().faint, linewidths=0.6, alpha=0.5
-        )
+def _draw_outlines(axes: Axes, bodies: np.ndarray) -> None:
+    sides = PolyCollection(
+        list(bodies), facecolors=look().body, edgecolors=look().faint, linewidths=0.6, alpha=0.5
     )
+    axes.add_collection(sides)
+
+
+def _draw_axes(axes: Axes, trajectory: Trajectory, instants: np.ndarray) -> None:
+    """The axis of the actuator at some instants, in the colours of their times."""
     bent = LineCollection(
         list(trajectory.shape[instants] * 1e3), cmap=look().sequential, linewidths=0.8, zorder=3
     )

@@ -10,8 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 
-from viscodesign.report.film.film_plan import FilmOptions
-from viscodesign.report.ground_outline import ground_outline
+from viscodesign.report.film.film_plan import TITLE_CHARACTERS, FilmOptions
+from viscodesign.report.ground_outline import feet, ground_outline
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
 from viscodesign.report.layout.downsampling import envelope
 from viscodesign.report.layout.look import drawn_as, look
@@ -30,8 +30,10 @@ from viscodesign.storage.disk_arrays import extremes, rows_at
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-WIDTH = 9.6
-"""Width of the figure [inch]; pixels follow from its resolution."""
+BANNER_CHARACTERS = 7.5
+"""Of a line of a banner, for an inch of the width."""
+LEGEND_COLUMN = 1.0
+"""Room for a name of the legend [inch]."""
 MOST_CURVES = 16
 """Largest number of curves of a column."""
 
@@ -44,10 +46,7 @@ def film_frames(
     What does not move is drawn once; ``tubes`` are both ends of every tube.
     """
     with drawn_as(PictureOptions(style=options.style)), own_style():
-        across, high = options.size
-        dpi = across / WIDTH
-        # A little more than whole pixels, which are counted by rounding down.
-        made = Figure(figsize=(WIDTH + 1e-6, high / dpi + 1e-6), dpi=dpi)
+        made = Figure(figsize=options.figure_size, dpi=options.dots_per_inch)
         canvas: Any = FigureCanvasAgg(made)
         body = _Body(made, run, tubes, rows, options)
         curves = _Curves(made, run) if options.pressures else None
@@ -75,17 +74,23 @@ def _decimals(time: np.ndarray) -> int:
 
 
 def _draw_title(made: Figure, run: Trajectory) -> None:
-    made.text(0.03, 0.95, shown(run.name, 48), va="top", size=12, weight="bold")
+    name = shown(run.name, int(TITLE_CHARACTERS * made.get_figwidth()))
+    made.text(0.03, 0.95, name, va="top", size=12, weight="bold")
     told = []
     if run.status != "complete":
         told.append(f"run {run.status}, ended at t = {run.time[-1]:.4g} s")
     if run.violations:
         told.append(outside_words(run.violations))
-    for k, words in enumerate(told):
+    draw_banner(made, told)
+
+
+def draw_banner(made: Figure, lines: list[str]) -> None:
+    """What a viewer has to know, below the name."""
+    columns = int(BANNER_CHARACTERS * made.get_figwidth())
+    for k, words in enumerate(lines):
         made.text(
-            0.03, 0.895 - 0.055 * k, shown(words, 72), va="top", size=10, weight="bold",
-            color=look().ground,
-            bbox={"facecolor": look().accent, "edgecolor": "none", "pad": 3},
+            0.03, 0.895 - 0.055 * k, shown(words, columns), va="top", size=10, weight="bold",
+            color=look().ground, bbox={"facecolor": look().accent, "edgecolor": "none", "pad": 3},
         )  # fmt: skip
 
 
@@ -102,6 +107,7 @@ class _Body:
     ) -> None:
         self.run, self.widths = run, 1e3 * section_widths(run)
         self.width = float(np.max(self.widths))
+        self.ground = ground_of(run)
         self.tubes = tubes if len(tubes) <= MOST_TUBES else []
         across = 0.4 if options.pressures else 0.9
         self.axes = made.add_axes((0.03, 0.14, across, 0.74))
@@ -115,13 +121,14 @@ class _Body:
         )
         self.lines = LineCollection([], colors=look().ink, linewidths=1.1, animated=True)
         self.axis = self.axes.plot([], [], color=look().ink, lw=1.2, animated=True)[0]
+        self.feet = LineCollection([], colors=look().accent, linewidths=1.2, animated=True)
         self.inlets = inlet_places(run.inlets, tubes, self.width)
         across_mm, down_mm = np.transpose(list(self.inlets.values()))
         self.marks = self.axes.scatter(
             across_mm, down_mm, s=90, marker="v", c=[0.0] * len(run.inlets),
             cmap=colours, norm=norm, edgecolors=look().ink, linewidths=0.8, animated=True,
         )  # fmt: skip
-        for part in (self.lines, self.cells):
+        for part in (self.lines, self.cells, self.feet):
             self.axes.add_collection(part)
         self._still_parts()
         self._bar(made, across, occurring)
@@ -140,8 +147,8 @@ class _Body:
         plate = np.array([[(-half, 0.0), (half, 0.0)]])
         for lines, pen in ((clamp_strokes(half, hatch, 9), 0.8), (plate, 2.0)):
             self.axes.add_collection(LineCollection(list(lines), colors=look().ink, linewidths=pen))
-        if (ground := ground_of(self.run)) is not None:
-            line = 1e3 * ground_outline(ground, GROUND_REACH * self.run.length)
+        if self.ground is not None:
+            line = 1e3 * ground_outline(self.ground, GROUND_REACH * self.run.length)
             self.axes.plot(
                 *line.T, color=look().accent, lw=1.2, ls=(0, (6, 2)), scalex=False, scaley=False
             )
@@ -168,7 +175,9 @@ class _Body:
             tube_lines(blocks, run.bellows, self.inlets, self.tubes, self.width)
         )
         self.marks.set_array(run["inlet_pressure"][row] / 1e3)
-        return [self.lines, self.cells, self.axis, self.marks]
+        if self.ground is not None:
+            self.feet.set_segments(list(1e3 * feet(self.ground, 1e-3 * axis[-1:])))
+        return [self.lines, self.cells, self.axis, self.marks, self.feet]
 
 
 class _Curves:
@@ -176,7 +185,10 @@ class _Curves:
 
     def __init__(self, made: Figure, run: Trajectory) -> None:
         self.run = run
-        self.axes = made.add_axes((0.53, 0.14, 0.43, 0.68))
+        wide, names = 0.43 * made.get_figwidth(), 2 + len(run.inlets)
+        self.columns = min(names, int(wide / LEGEND_COLUMN))
+        high = 0.68 - 0.08 * (-(-names // self.columns) - 1)
+        self.axes = made.add_axes((0.53, 0.14, 0.43, high))
         self.axes.grid(color=look().grid, lw=0.6)
         self.axes.axhline(0.0, color=look().grey, lw=0.9)
         start, end = float(run.time[0]), float(run.time[-1])
@@ -201,7 +213,10 @@ class _Curves:
             axes.plot(
                 time, inlets[:, k] / 1e3, color=look().ink, lw=2, ls=("-", "--")[k > 0], label=label
             )
-        axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, borderaxespad=0.2)
+        axes.legend(
+            loc="lower left", bbox_to_anchor=(0, 1), ncols=self.columns, borderaxespad=0.2,
+            columnspacing=1.2, handlelength=1.6,
+        )  # fmt: skip
 
     def at(self, row: int) -> list[Any]:
         """The cursor at a row."""

@@ -17,6 +17,11 @@ REAL_TIME = (2.0, 20.0)
 """Runs of this length are shown in real time unless told otherwise [s]."""
 USUAL_LENGTH = 8.0
 """Length of the film of any other run, roughly [s]."""
+DOTS_PER_INCH, INCHES = 100, (6.4, 9.6)
+"""Usual resolution of a frame, and limits of the width of its figure: letters, whose size is in
+points, would be too small in a small film, or would leave no room in it."""
+TITLE_CHARACTERS = 5
+"""Of the name above a film, for an inch of the width."""
 LAST_FRAME_HOLD = 0.5
 """The film rests on its last frame before it begins again [s]."""
 
@@ -66,6 +71,19 @@ class FilmOptions:
         """Width and height [pixel], both even."""
         wide = self.width // 2 * 2
         return wide, 2 * round(wide * 9 / 32)
+
+    @property
+    def figure_size(self) -> tuple[float, float]:
+        """Width and height of a figure [inch], a little more than whole pixels, which are counted
+        by rounding down."""
+        wide, high = (side / self.dots_per_inch + 1e-6 for side in self.size)
+        return wide, high
+
+    @property
+    def dots_per_inch(self) -> float:
+        """Resolution of a figure."""
+        wide, (low, high) = self.size[0], INCHES
+        return wide / min(max(wide / DOTS_PER_INCH, low), high)
 
     @property
     def style(self) -> Style:

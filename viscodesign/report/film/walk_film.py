@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from viscodesign.report.film.film_plan import FilmOptions, film_rows
+from viscodesign.report.film.film_plan import TITLE_CHARACTERS, FilmOptions, film_rows
 from viscodesign.report.folder import new_file
 from viscodesign.report.picture_options import PictureOptions
 from viscodesign.results.walk_study import WalkStudy
@@ -16,8 +16,6 @@ from viscodesign.results.walk_study import WalkStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-WIDTH = 9.6
-"""Width of the figure [inch]; pixels follow from its resolution."""
 LEAST_RADIUS = 2e-3
 """Smallest radius with which a foot is drawn [m]."""
 ROOM = 0.25
@@ -44,18 +42,20 @@ def _frames(study: WalkStudy, rows: np.ndarray, options: FilmOptions) -> Iterato
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    from viscodesign.report.film.film_frames import draw_banner
     from viscodesign.report.layout.look import drawn_as
     from viscodesign.report.layout.style import own_style, shown
 
     with drawn_as(PictureOptions(style=options.style)), own_style():
-        across, high = options.size
-        dpi = across / WIDTH
-        made = Figure(figsize=(WIDTH + 1e-6, high / dpi + 1e-6), dpi=dpi)
+        made = Figure(figsize=options.figure_size, dpi=options.dots_per_inch)
         canvas: Any = FigureCanvasAgg(made)
         if options.transparent:
             made.patch.set_alpha(0.0)
         scene = _SideView(made.add_axes((0.03, 0.08, 0.94, 0.8)), study)
-        made.text(0.03, 0.95, shown(study.name, 48), va="top", size=12, weight="bold")
+        name = shown(study.name, int(TITLE_CHARACTERS * made.get_figwidth()))
+        made.text(0.03, 0.95, name, va="top", size=12, weight="bold")
+        if study.refusal:
+            draw_banner(made, ["no speed is stated"])
         clock = made.text(0.97, 0.95, "", ha="right", va="top", size=12)
         for row in rows:
             scene.show(int(row))

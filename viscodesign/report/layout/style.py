@@ -56,6 +56,8 @@ TITLE_ROOM, NO_TITLE_ROOM = 0.34, 0.08
 """Above a picture with a title, and without one [inch]."""
 TITLE, SMALLEST_TITLE = 10.0, 7.0
 """Font sizes [pt]; a smaller one where the width that was asked for needs it."""
+NOTE, NOTE_ROOM = 7.5, 0.22
+"""Font size of a line of explanation [pt], and its room [inch]."""
 BANNER_LINE = 0.17
 BANNER_LINES = 3
 
@@ -146,6 +148,13 @@ def draw_title(made: Figure, words: str, left: float, below: float = 0.0) -> Non
         size = min(TITLE, max(SMALLEST_TITLE, room / len(words)))
         words = shown(words, int(room / size))
     made.text(left / width, (height - below - 0.21) / height, words, size=size, va="baseline")
+
+
+def draw_note(made: Figure, words: str, left: float, level: float = 0.08) -> None:
+    """A line of explanation from ``left``, ``level`` above the lower edge [inch]."""
+    width, height = made.get_size_inches()
+    size = min(NOTE, (width - left) * POINTS / (CHARACTER_WIDTH * len(words)))
+    made.text(left / width, level / height, words, size=size, color=look().note)
 
 
 def head_room(trajectory: Trajectory, width: float) -> float:

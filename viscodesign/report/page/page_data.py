@@ -93,7 +93,8 @@ def _ground(run: Trajectory) -> dict[str, Any] | None:
     if ground is None:
         return None
     outline = ground_outline(ground, GROUND_REACH * run.length)
-    return {"outline": outline.tolist(), "words": f"Dashed: {ground_words(ground)}."}
+    words = f"Dashed: {ground_words(ground)}."
+    return {"outline": outline.tolist(), "foot": ground.foot_radius, "words": words}
 
 
 def _bandless(run: Trajectory) -> str:

@@ -46,12 +46,14 @@ function makeActuator(host, body, room, scale, label) {
     class: "inlet-name", x: 1000 * inletPlace(body, k)[0], y: -0.56 * pen,
   }, name.length > 12 ? `${name.slice(0, 11)}…` : name)) : [];
   const ground = body.surface ? [drawn("path", { class: "ground touched", "stroke-width": 0.03 * pen, d: pathOf(body.surface.outline.flat()) })] : [];
+  // The foot that touches the ground moves with the tip.
+  const foot = body.surface?.foot ? [drawn("circle", { class: "ground foot", r: 1000 * body.surface.foot, "stroke-width": 0.03 * pen })] : [];
   // The page's own size of text would win over the attribute.
   names.forEach((name) => { name.style.fontSize = `${0.15 * pen}px`; });
-  svg.append(...ground, trace, clampMark(pen), tubes, ...cells, spine, ...inlets, tip, ...names);
+  svg.append(...ground, trace, clampMark(pen), tubes, ...cells, spine, ...inlets, tip, ...foot, ...names);
   host.append(svg);
   if (body.surface) host.append(element("p", { class: "hint ground-words" }, body.surface.words));
-  return { svg, cells, tubes, spine, tip, inlets, trace, body, scale, frame: framesOf(body), cellOf: cellsOf(body.bellows), columns: columnsOf(body) };
+  return { svg, cells, tubes, spine, tips: [tip, ...foot], inlets, trace, body, scale, frame: framesOf(body), cellOf: cellsOf(body.bellows), columns: columnsOf(body) };
 }
 
 function clampMark(pen) {
@@ -184,8 +186,10 @@ function drawActuator(view, points, pressures, inletPressures) {
   view.inlets.forEach((mark, k) => mark.setAttribute("fill", pressureColour(scale, inletPressures[k])));
   if (body.tubes.length <= MOST_TUBES) view.tubes.setAttribute("d", tubePaths(body, places));
   view.spine.setAttribute("d", pathOf(points, Math.ceil(points.length / 2 / MOST_SPINE)));
-  view.tip.setAttribute("cx", 1000 * points[points.length - 2]);
-  view.tip.setAttribute("cy", 1000 * points[points.length - 1]);
+  for (const mark of view.tips) {
+    mark.setAttribute("cx", 1000 * points[points.length - 2]);
+    mark.setAttribute("cy", 1000 * points[points.length - 1]);
+  }
 }
 
 // A line through every so many points of an axis, and its end, in millimetres.
