@@ -16,6 +16,9 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.provenance import provenance
 
+NOT_APPLICABLE = "not applicable"
+"""Decision on an effect of which the scene has nothing that it acts on."""
+
 
 @dataclass(frozen=True)
 class Scales:
@@ -75,7 +78,7 @@ class Verdict:
     def decision(self) -> str:
         """The decision in words."""
         if not self.present:
-            return "not applicable"
+            return NOT_APPLICABLE
         return "included" if self.taken else "neglected"
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
 from viscodesign.cli.texts.layout import number, table
 from viscodesign.results.coefficient_band import STILL_WORDS, CoefficientBand, why_no_band
-from viscodesign.results.findings import RetryAttempt, outside_words
+from viscodesign.results.findings import NOT_APPLICABLE, RetryAttempt, outside_words
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import extremes
 
@@ -44,9 +44,9 @@ MOST_RETRIES = 6
 
 
 def _decisions(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
-    for decision in ("included", "neglected", "not applicable"):
+    for decision in ("included", "neglected", NOT_APPLICABLE):
         names = [v.name for v in trajectory.effects if v.decision == decision]
-        if names or decision != "not applicable":
+        if names or decision != NOT_APPLICABLE:
             yield decision, ", ".join(names) or "none"
 
 

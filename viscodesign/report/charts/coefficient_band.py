@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.collections import PolyCollection
 
+from viscodesign.report.layout.look import look
 from viscodesign.results.coefficient_band import COVERAGE_FACTOR, CoefficientBand, swept_ellipses
 from viscodesign.results.trajectory import Trajectory
 
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 MOST_ELLIPSES = 600
-BAND = "#c3d3e6"
 
 
 def band_corners(trajectory: Trajectory) -> np.ndarray:
@@ -39,4 +39,5 @@ def draw_band(axes: Axes, trajectory: Trajectory) -> None:
 def draw_ellipses(axes: Axes, tip: np.ndarray, band: CoefficientBand) -> None:
     """Draw what 95 % ellipses [mm] about a tip (T, 2) [m] sweep."""
     around = [1e3 * own for own in swept_ellipses(tip, band, MOST_ELLIPSES)]
-    axes.add_collection(PolyCollection(around, facecolors=BAND, edgecolors=BAND, zorder=2))
+    colour = look().band
+    axes.add_collection(PolyCollection(around, facecolors=colour, edgecolors=colour, zorder=2))

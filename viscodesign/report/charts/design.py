@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.patches import Polygon
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import Target, axes_at, draw_title, picture, shown, title_room
-from viscodesign.results.channels import channel
+from viscodesign.results.channels import channel, millimetres
 from viscodesign.results.path_design import PathDesign
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ def _title(found: PathDesign) -> str:
         return f"{found.name}: {found.status.replace('_', ' ')}"
     words = "met" if found.status == "met" else "not met"
     return (
-        f"{found.name}: {words}, {1e3 * found.confirmed_rms_m:.3g} mm rms of "
-        f"{1e3 * found.tolerance_m:.3g} mm allowed"
+        f"{found.name}: {words}, {millimetres(found.confirmed_rms_m)} rms of "
+        f"{millimetres(found.tolerance_m)} allowed"
     )
 
 
@@ -111,6 +111,7 @@ def _draw_search(axes: Axes, found: PathDesign) -> None:
         axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         axes.yaxis.set_minor_formatter(NullFormatter())
+        axes.xaxis.set_major_locator(MaxNLocator("auto", integer=True))
         axes.set_xlim(left=0)
     axes.axhline(1e3 * found.tolerance_m, color=look().accent, lw=0.9, ls="--")
     axes.text(

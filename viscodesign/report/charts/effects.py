@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,18 @@ from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
 from viscodesign.report.layout.look import look
-from viscodesign.report.layout.style import Target, axes_at, head, head_room, picture, shown
+from viscodesign.report.layout.style import (
+    NOTE,
+    Target,
+    axes_at,
+    draw_note,
+    head,
+    head_room,
+    picture,
+    shown,
+)
+from viscodesign.results.channels import RESOLVED_MM
+from viscodesign.results.findings import NOT_APPLICABLE
 from viscodesign.results.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -35,8 +47,8 @@ BAR_THICKNESS = 0.36
 """Thickness of a bar, as a share of its row."""
 HATCH = "/////"
 BUDGET_DASHES = (0, (5, 2))
-RESOLVED_MM = 1e-6
-"""Displacements below this are rounding [mm]."""
+NOTE_LINE = 0.15
+"""Height of a line of what is not applicable [inch]."""
 NUMBER_SIZE, NUMBER_GAP = 6.5, 3.0
 """Letters of numbers, and the room beside them [pt]."""
 SMALLEST_BAR = 1e-5
@@ -60,6 +72,11 @@ class EffectRow:
         return self.decision == "included"
 
     @property
+    def is_applicable(self) -> bool:
+        """Whether the scene has what it acts on."""
+        return self.decision != NOT_APPLICABLE
+
+    @property
     def size(self) -> tuple[float, float]:
         """The sort key: measured if that is known, else estimated."""
         known = self.estimated if self.measured is None else self.measured
@@ -68,7 +85,8 @@ class EffectRow:
 
 def draw_effects(trajectory: Trajectory, path: Target) -> None:
     """One row per effect, the largest displacement on top; the requested error as a line."""
-    rows = effect_rows(trajectory)
+    every = effect_rows(trajectory)
+    rows = [row for row in every if row.is_applicable] or every
     budget = 1e3 * trajectory.accuracy.requested_m
     height = ROW_HEIGHT * len(rows)
     width = look().across(LEFT + PLOT_WIDTH + RIGHT)
@@ -77,8 +95,10 @@ def draw_effects(trajectory: Trajectory, path: Target) -> None:
     number = (NUMBER_WIDTH if left == LEFT else NARROW_NUMBER_WIDTH) / wide
     columns = 3 if wide >= LEAST_LEGEND else min(2, int(width / LEGEND_COLUMN))
     legend = LEGEND_ROW * -(-LEGEND_ENTRIES // columns) + 0.1
-    with picture(path, width, BOTTOM + height + legend + head_room(trajectory, width)) as made:
-        axes = axes_at(made, left, BOTTOM, wide, height)
+    notes = _absent_lines([row.name for row in every if row not in rows], width - 0.2)
+    bottom = BOTTOM + NOTE_LINE * len(notes)
+    with picture(path, width, bottom + height + legend + head_room(trajectory, width)) as made:
+        axes = axes_at(made, left, bottom, wide, height)
         limits = _limits(rows, budget, number)
         axes.set(xscale="log", xlim=limits, ylim=(len(rows) - 0.5, -0.5))
         words = "tip displacement when only this effect is switched [mm]"
@@ -92,8 +112,18 @@ def draw_effects(trajectory: Trajectory, path: Target) -> None:
         for k, row in enumerate(rows):
             _draw_row(axes, k, row, number)
         _draw_names(axes, rows, budget, WRONG if left == LEFT else SHORT_WRONG)
-        _draw_legend(made, budget, left, BOTTOM + height, columns)
+        _draw_legend(made, budget, left, bottom + height, columns)
+        for k, line in enumerate(reversed(notes)):
+            draw_note(made, line, 0.1, 0.07 + NOTE_LINE * k)
         head(made, trajectory, "tip displacement by effect", 0.1)
+
+
+def _absent_lines(names: list[str], width: float) -> list[str]:
+    """What is said of effects without a row, in lines of a width [inch]."""
+    if not names:
+        return []
+    columns = int(width * POINTS / (CHARACTER_WIDTH * NOTE))
+    return textwrap.wrap(f"{NOT_APPLICABLE}: {', '.join(names)}", columns)
 
 
 def effect_rows(trajectory: Trajectory) -> list[EffectRow]:

@@ -72,6 +72,7 @@ def _draw_bars(axes: Axes, study: SensitivityStudy, order: list[int]) -> None:
         )
     reach = (1.18 if wide_enough else 1.5) * max(sizes.max(initial=0.0), 1e-12)
     axes.set(xlim=(-reach, reach), ylim=(len(order) - 0.5, -0.5))
+    axes.locator_params(axis="x", nbins=5)
     axes.set_yticks(
         places, [shown(study.numbers[k].key, 36 if wide_enough else 24) for k in order], fontsize=7
     )
