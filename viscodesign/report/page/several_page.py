@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from viscodesign.report.page.packed_arrays import packed
 from viscodesign.report.page.page_data import page_data, shortened_spec
 from viscodesign.report.page.self_contained import self_contained, write_html
+from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.provenance import provenance
 from viscodesign.results.several_runs import SeveralRuns
 
@@ -16,6 +21,8 @@ SCRIPTS = (
     "several.js",
 )
 """In the order in which they run; those before the last only define functions."""
+MOST_ROWS = 2000
+"""Times at which pressures of junctions are kept."""
 OF_ONE = ("spec", "sketch", "band", "flow", "quantities")
 """Data of a run that its own page alone shows."""
 
@@ -29,20 +36,37 @@ def several_data(found: SeveralRuns) -> dict[str, Any]:
     """All that the page shows; the motion of equal actuators is there once."""
     summary = found.summary()
     told = {key: own for key, own in summary.items() if key != "actuators"}
+    fed_by = {name: list(found.sources[name].values()) for name in found.runs}
+    for source, supply in summary["sources"].items():
+        for name in supply["feeds"]:
+            fed_by[name] += [] if source in fed_by[name] else [source]
     return {
         "summary": told,
         "spec": shortened_spec(found.spec_text),
         "provenance": provenance(),
+        "shared": [own for motion in found.coupled for own in _shared(motion)],
         "actuators": [
             {
                 "name": name,
-                "sources": list(found.sources[name].values()),
+                "sources": fed_by[name],
                 "equal_to": found.equal_to.get(name),
                 "run": _run(found, name),
             }
             for name in found.runs
         ],
     }
+
+
+def _shared(motion: CoupledMotion) -> Iterator[dict[str, Any]]:
+    """Pressures at the inlets and junctions of actuators that share fluid, at some of its times."""
+    rows = np.unique(np.linspace(0, len(motion.time) - 1, MOST_ROWS).astype(int))
+    for name, values in (*motion.inlet_pressure.items(), *motion.junction_pressure.items()):
+        yield {
+            "name": name,
+            "is_junction": name in motion.junction_pressure,
+            "time": packed(motion.time[rows], "f8"),
+            "pressure": packed(values[rows]),
+        }
 
 
 def _run(found: SeveralRuns, name: str) -> dict[str, Any]:

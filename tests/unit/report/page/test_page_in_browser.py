@@ -499,7 +499,8 @@ def test_both_errors_are_told_as_by_the_command_line(known: str, open_page: Open
     told = replace(run, **changes[known])
     page = open_page(told)
     said = f"Both errors: {both_errors(told).replace('+-', '±')}."
-    assert page.inner_text("#both-errors") == said
+    assert page.inner_text("#both-errors") == said.replace("`", "")
+    assert (page.query_selector("#both-errors code") is not None) == ("`" in said)
     assert (page.query_selector(".tip-path .band") is not None) == (known == "moving")
 
 

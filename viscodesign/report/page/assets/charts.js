@@ -44,12 +44,18 @@ function legendOf(panel) {
   const legend = element("span", { class: "legend" });
   const inOrder = panel.curves.filter((curve) => !curve.ordered);
   const ordered = panel.curves.filter((curve) => curve.ordered);
-  for (const curve of inOrder) legend.append(keyOf(curve), curve.name);
+  const single = ordered.length > 2 ? inOrder : [...inOrder, ...ordered];
+  legend.append(...single.map((curve) => namedKey(curve.name, keyOf(curve))));
   if (ordered.length > 2) {
     const colours = [0, 1, 2, 3, 4].map((k) => keyOf(ordered[Math.round((k * (ordered.length - 1)) / 4)], "key close"));
-    legend.append(element("span", { class: "keys" }, ...colours), `${ordered[0].name} to ${ordered[ordered.length - 1].name}`);
-  } else for (const curve of ordered) legend.append(keyOf(curve), curve.name);
+    legend.append(namedKey(`${ordered[0].name} to ${ordered[ordered.length - 1].name}`, element("span", { class: "keys" }, ...colours)));
+  }
   return legend;
+}
+
+// A key and its name, which stay in one line.
+function namedKey(name, key) {
+  return element("span", { class: "pair" }, key, name);
 }
 
 function keyOf(curve, kind = "key") {

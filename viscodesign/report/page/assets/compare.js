@@ -66,13 +66,14 @@ function showComparedMetrics(found) {
     if (values.every((value) => value === null)) continue;
     rows.push([words.slice(0, -1).join(" "), ...values.map((v) => (v === null ? "–" : `${shortNumber(factor * v, 4)} ${unit}`))]);
   }
-  byId("metrics").append(table(["number", ...found.motions.map((m) => m.title)], rows, { label: "metrics side by side" }));
+  const heads = ["number", ...found.motions.map((m) => m.title)];
+  byId("metrics").append(stacked(table(heads, rows, { label: "metrics side by side" }), heads));
 }
 
 function makePaths(found) {
   const svg = drawn("svg", { role: "img", height: PATHS_HEIGHT, class: "tip-path", "aria-label": `Paths of ${found.motions.map((m) => m.title).join(", ")}` });
   const legend = element("span", { class: "legend" });
-  for (const motion of found.motions) legend.append(element("span", { class: "pair" }, keyOf({ ...motion, thick: true }), motion.title), " ");
+  for (const motion of found.motions) legend.append(namedKey(motion.title, keyOf({ ...motion, thick: true })), " ");
   byId("paths").append(element("figcaption", {}, "paths of the tips [mm] ", legend), svg);
   return { svg, height: PATHS_HEIGHT };
 }

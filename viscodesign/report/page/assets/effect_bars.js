@@ -37,7 +37,7 @@ function showBand(run, host) {
   // As the command line says it: `both_errors`.
   const known = run.bandless
     || `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)${uncertainty.keys.some((own) => own.assumed) ? ", some assumed" : ""}`;
-  host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), `: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`));
+  host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), ...prose(`: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`)));
   if (run.bandless) return;
   const named = uncertainty.keys.filter((own) => own.share_of_variance >= LEAST_SHARE);
   const heads = ["number", "value", "standard deviation", "share of the variance"];
@@ -68,29 +68,16 @@ function moreNumbers(all, named) {
   return `${named.length ? `And ${rest} more` : `${rest} numbers`}, each below ${shortNumber(100 * LEAST_SHARE, 2)} % of the variance; summary.json has all. `;
 }
 
-// A table whose rows become blocks on a narrow screen, so that every part of it says what it is.
-function stacked(made, heads) {
-  made.classList.add("stacked");
-  for (const [tags, role] of [["table", "table"], ["thead, tbody", "rowgroup"], ["tr", "row"], ["thead th", "columnheader"], ["tbody th", "rowheader"], ["td", "cell"]]) {
-    for (const part of made.querySelectorAll(tags)) part.setAttribute("role", role);
-  }
-  for (const line of made.querySelectorAll("tbody tr")) [...line.children].forEach((cell, k) => { cell.dataset.head = heads[k]; });
-  return made;
-}
-
 // Rows with a bar in millimetres on a logarithmic axis; the accuracy is a line.
 function barTable(heads, rows, asked, label) {
   const sizes = rows.flatMap((row) => [row.value, row.measured]).filter((value) => value > 0);
   const high = 10 ** Math.ceil(Math.log10(Math.max(2 * asked, ...sizes)) + 1e-9), low = Math.min(asked / 1e3, high / 1e5);
   const at = (value) => 180 * Math.max(0, Math.min(1, Math.log(value / low) / Math.log(high / low)));
   const made = table(heads, rows.map((row) => [...row.cells, element("td", { class: "bars" }, barOf(row, asked, at)), ...row.after]), { label });
-  stacked(made, heads);
+  stacked(made, heads, ["decision", "size beside the accuracy", "why"]);
+  made.classList.toggle("reasoned", heads.includes("why"));
   made.append(element("p", { class: "hint" }, `Bars are logarithmic, from ${millimetres(low)} to ${millimetres(high)}; the line is the requested accuracy, ${millimetres(asked)}.`));
   return made;
-}
-
-function numberCell(text, kind = "number") {
-  return element("td", { class: kind }, text);
 }
 
 function barOf(row, asked, at) {
@@ -115,8 +102,8 @@ function showEffects(run) {
   const rows = present.map((row) => ({
     cells: [row.name.replace(/_/g, " "), (row.taken ? "included" : "neglected") + (row.mode === "auto" ? "" : `, set ${row.mode}`)],
     value: row.contribution_m, kind: row.taken ? "included" : "neglected", measured: measured.get(row.name),
-    after: [row.contribution_m === null ? "no bound" : numberCell(millimetres(row.contribution_m)),
-      ...(proof.length ? [numberCell(measuredWords(measured, row.name))] : []), row.reason],
+    after: [numberCell(row.contribution_m === null ? "no bound" : millimetres(row.contribution_m)),
+      ...(proof.length ? [numberCell(measuredWords(measured, row.name))] : []), longCell(row.reason)],
   }));
   byId("effects").append(element("p", {}, "How far each effect alone moves the tip, estimated before solving",
     proof.length ? "; the ring and the number beside are what another solution measured, with the effect switched." : "."),

@@ -56,12 +56,14 @@ function showGaitTables({ summary }) {
     ["period", `${shortNumber(summary.period_s)} s`], ["length of the body", millimetres(summary.body_length_m)],
     ["advance of each cycle", summary.advances_by_cycle_m.map(millimetres).join(", ") || "no whole cycle"],
     ["last cycle beside the one before", percent(summary.cycle_change)]], { label: "gait" }));
-  byId("feet").append(table(["foot", "lift", "on the ground", "sliding", "largest normal force", "largest friction"],
+  const ofFeet = ["foot", "lift", "on the ground", "sliding", "largest normal force", "largest friction"];
+  byId("feet").append(stacked(table(ofFeet,
     Object.entries(summary.feet).map(([name, own]) => [name, millimetres(own.lift_m), percent(own.stance_share), percent(own.slide_share),
-      `${shortNumber(own.peak_normal_n, 3)} N`, `${shortNumber(own.peak_friction_n, 3)} N`]), { label: "feet" }));
-  byId("pumps").append(table(["source", "barrel, last cycle", "barrel, whole run", "largest flow", "the spec's pump"],
+      `${shortNumber(own.peak_normal_n, 3)} N`, `${shortNumber(own.peak_friction_n, 3)} N`]), { label: "feet" }), ofFeet));
+  const ofPumps = ["source", "barrel, last cycle", "barrel, whole run", "largest flow", "the spec's pump"];
+  byId("pumps").append(stacked(table(ofPumps,
     Object.entries(summary.pumps).map(([name, own]) => [name, volume(own.volume_m3), volume(own.run_volume_m3), `${volume(own.flow_m3_s)}/s`,
-      own.is_feasible === null ? "none is stated" : own.is_feasible ? "can do it" : element("strong", { class: "bad" }, "cannot do it")]), { label: "pumps" }));
+      own.is_feasible === null ? "none is stated" : own.is_feasible ? "can do it" : element("strong", { class: "bad" }, "cannot do it")]), { label: "pumps" }), ofPumps));
   showGaitEnergy(summary.energy);
   showSteps(summary, percent);
 }

@@ -22,7 +22,7 @@ function makeRobot(host, gait, scale) {
   const hips = gait.legs.map(() => drawn("circle", { class: "hip", r: 1.3 * pen, "stroke-width": 0.2 * pen }));
   const body = drawn("path", { class: "rigid", "stroke-width": 2.6 * pen });
   svg.append(groundLine(room, pen), ...legs, ...feet, body, ...hips, ...forces);
-  host.append(element("figcaption", {}, "legs ", element("span", { class: "legend" }, ...gait.legs.flatMap((name, k) => [keyOf({ colour: gait.colours[k], thick: true }), name]))), svg);
+  host.append(element("figcaption", {}, "legs ", element("span", { class: "legend" }, ...gait.legs.map((name, k) => namedKey(name, keyOf({ colour: gait.colours[k], thick: true }))))), svg);
   const largest = Math.max(1e-12, ...extremes(gait.normal.values).map(Math.abs));
   return { gait, scale, legs, feet, forces, hips, body, pen, perNewton: (FORCE_LENGTH * -(room.top)) / largest };
 }

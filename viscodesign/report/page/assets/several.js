@@ -8,6 +8,7 @@ function readSeveral() {
     own.run = own.equal_to && solved[own.equal_to] ? solved[own.equal_to] : unpackedRun(own.run);
     solved[own.name] = own.run;
   }
+  for (const own of found.shared) [own.time, own.pressure] = [unpacked(own.time).values, unpacked(own.pressure).values];
   found.actuators.forEach((own, k) => { own.colour = sectionColour(k, found.actuators.length); });
   found.moving = found.actuators.filter((own) => own.run.count);
   const longest = found.moving.reduce((a, b) => (a && endOf(a.run.time.values) >= endOf(b.run.time.values) ? a : b), null);
@@ -47,10 +48,14 @@ function severalPanels(found) {
   const curves = (array, k, factor) => found.moving.map((own) => ({ name: own.name, time: own.run.time.values, dashed: Boolean(own.equal_to),
     values: column(own.run[array], k).map((v) => factor * v), colour: own.colour, thick: true }));
   const sources = new Map();
-  for (const own of found.moving) own.sources.forEach((name, k) => { if (!sources.has(name)) sources.set(name, { own, k }); });
+  const through = new Set(found.shared.map((own) => own.name));
+  for (const own of found.moving) own.sources.forEach((name, k) => { if (!sources.has(name) && !through.has(name)) sources.set(name, { own, k }); });
+  const pressures = [...sources].map(([name, { own, k }]) => ({ name, time: own.run.time.values, pressure: column(own.run.inlet_pressure, k) }));
+  const all = [...pressures, ...found.shared].map(({ name, time, pressure }, s) => ({ name, time, values: pressure.map((v) => v / 1e3),
+    colour: "currentColor", thick: s === 0, dashed: s % 2 === 1 }));
+  const title = `pressure of sources${found.shared.some((own) => own.is_junction) ? " and junctions" : ""}`;
   return [{ title: "tip x", unit: "mm", curves: curves("tip", 0, 1e3) }, { title: "tip z", unit: "mm", curves: curves("tip", 1, 1e3) },
-    { title: "pressure of sources", unit: "kPa gauge", curves: [...sources].map(([name, { own, k }], s) => ({ name, time: own.run.time.values,
-      values: column(own.run.inlet_pressure, k).map((v) => v / 1e3), colour: "currentColor", thick: s === 0, dashed: s % 2 === 1 })) }];
+    { title, unit: "kPa gauge", curves: all }];
 }
 
 function showSeveral(found) {
@@ -90,8 +95,9 @@ function cursorAt(view, time) {
 function showEach(found) {
   const rows = found.actuators.map(({ name, equal_to, sources, run: { summary } }) => [name, sources.join(", "), equal_to || "–", summary.status,
     summary.accuracy.estimated_tip_error_m === null ? "not estimated" : `${millimetres(summary.accuracy.estimated_tip_error_m)} (requested ${millimetres(summary.accuracy.requested_m)})`,
-    summary.validity.state, summary.effects.filter((row) => row.taken).map((row) => row.name.replace(/_/g, " ")).join(", ")]);
-  byId("each").append(table(["actuator", "source", "equal to", "status", "error of the tip", "validity", "effects included"], rows, { label: "actuators" }),
+    summary.validity.state, longCell(summary.effects.filter((row) => row.taken).map((row) => row.name.replace(/_/g, " ")).join(", "))]);
+  const heads = ["actuator", "source", "equal to", "status", "error of the tip", "validity", "effects included"];
+  byId("each").append(stacked(table(heads, rows, { label: "actuators" }), heads),
     element("p", { class: "hint" }, "The folder of each has its own page, with its spec, effects and flows."));
   byId("sources").append(table(["source", "feeds", "volume swing", "largest flow"], Object.entries(found.summary.sources).map(([name, own]) =>
     [name, own.feeds.join(", "), `${shortNumber(1e6 * own.volume_swing_m3, 4)} mL`, `${shortNumber(1e6 * own.largest_flow_m3_s, 4)} mL/s`]), { label: "sources" }),

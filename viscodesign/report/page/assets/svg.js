@@ -18,6 +18,12 @@ function filled(made, attributes, children) {
   return made;
 }
 
+// A sentence in which keys stand between backticks, as parts for `element`: these as code.
+function prose(text) {
+  const parts = text.split("`");
+  return parts.length % 2 ? parts.map((part, k) => (k % 2 ? element("code", {}, part) : part)) : [text];
+}
+
 function byId(id) {
   return document.getElementById(id);
 }

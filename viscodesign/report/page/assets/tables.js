@@ -2,12 +2,34 @@
 
 // Everything that is told in words and tables.
 
+// A number with its unit, which stays in one line.
+const QUANTITY = /^[<−+\d][^,;:]{0,15}$/;
+
 function table(heads, rows, attributes = {}) {
   const head = element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text)));
   const body = rows.map(([first, ...cells]) => element("tr", {}, element("th", { scope: "row" }, first),
-    ...cells.map((cell) => (cell instanceof Node && cell.nodeName === "TD" ? cell : element("td", {}, cell)))));
+    ...cells.map((cell) => (cell instanceof Node && cell.nodeName === "TD" ? cell : element("td", QUANTITY.test(cell) ? { class: "number" } : {}, cell)))));
   return element("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": `Table: ${attributes.label}` },
     element("table", {}, element("thead", {}, head), element("tbody", {}, ...body)));
+}
+
+// A table whose rows become blocks on a narrow screen, where every cell says what it is but those of the `unnamed` heads.
+function stacked(made, heads, unnamed = []) {
+  made.classList.add("stacked");
+  for (const [tags, role] of [["table", "table"], ["thead, tbody", "rowgroup"], ["tr", "row"], ["thead th", "columnheader"], ["tbody th", "rowheader"], ["td", "cell"]]) {
+    for (const part of made.querySelectorAll(tags)) part.setAttribute("role", role);
+  }
+  for (const line of made.querySelectorAll("tbody tr")) [...line.cells].forEach((cell, k) => { if (k && !unnamed.includes(heads[k])) cell.dataset.head = heads[k]; });
+  return made;
+}
+
+function numberCell(text, kind = "number") {
+  return element("td", { class: kind }, text);
+}
+
+// A cell with a sentence: on a narrow screen it takes a line of its own.
+function longCell(text) {
+  return element("td", { class: "long" }, text);
 }
 
 function millimetres(value) {
@@ -44,7 +66,7 @@ function showHead(run) {
   }
   if (run.count === 1) banner("note", `One output time only, ${timeWords(run.time.values, 0)}: a state, not a motion.`);
   for (const doubt of summary.warnings.filter((own) => DOUBTS.includes(own.code))) {
-    byId("banners").append(element("p", { class: "banner outside", role: "alert" }, element("strong", {}, "Not resolved"), `: ${doubt.message}.`));
+    byId("banners").append(element("p", { class: "banner outside", role: "alert" }, element("strong", {}, "Not resolved"), ": ", ...prose(doubt.message), "."));
   }
   showNotes(run.notes);
 }
@@ -73,18 +95,18 @@ function showWarnings(run, player) {
   host.append(element("p", { class: validity.state === "outside" ? "bad" : "" }, validity.state === "inside"
     ? "The run stays within what its model describes." : "The run leaves what its model describes:"));
   if (validity.reasons.length) host.append(notices(validity.reasons, run, player));
+  byId("warnings").append(element("h3", {}, "Warnings"));
   listWarnings(warnings, run, player);
   if (run.summary.more_warnings) byId("warnings").append(element("p", { class: "hint" }, `${run.summary.more_warnings} more are in summary.json.`));
 }
 
 function listWarnings(warnings, run, player) {
-  if (warnings.length) byId("warnings").append(element("h3", {}, "Warnings"), notices(warnings, run, player));
-  else byId("warnings").append(element("p", {}, "No warnings."));
+  byId("warnings").append(warnings.length ? notices(warnings, run, player) : element("p", {}, "No warnings."));
 }
 
 function notices(list, run, player) {
   const items = list.map((notice) => {
-    const item = element("li", {}, element("strong", {}, notice.code.replace(/_/g, " ")), `: ${notice.message}`, notice.where ? ` (${notice.where}) ` : " ");
+    const item = element("li", {}, element("strong", {}, notice.code.replace(/_/g, " ")), ": ", ...prose(notice.message), notice.where ? ` (${notice.where}) ` : " ");
     if (notice.time_s !== null && notice.time_s !== undefined) item.append(jump(notice.time_s, run, player));
     return item;
   });

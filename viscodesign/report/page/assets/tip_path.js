@@ -9,7 +9,7 @@ function makeTipPath(host, run) {
   const svg = drawn("svg", { role: "img", height: TIP.height, class: "tip-path",
     "aria-label": `Path of the tip: x ${extremes(x).map((v) => shortNumber(v, 3)).join(" to ")} mm, z ${extremes(z).map((v) => shortNumber(v, 3)).join(" to ")} mm` });
   host.append(element("figcaption", {}, "path of the tip [mm] ",
-    element("span", { class: "legend" }, keyOf({ colour: "currentColor" }), "computed ",
+    element("span", { class: "legend" }, namedKey("computed ", keyOf({ colour: "currentColor" })),
       element("span", { id: "sketch-key", hidden: "" }, keyOf({ colour: "currentColor", dashed: true }), "sketch "),
       ...(run.band ? [element("span", { id: "band-key" }, bandKey(), "95 % band by what is known of the coefficients")] : []))), svg);
   return { svg, x, z, sketch: null, band: run.band ? ellipsesOf(run.band, x, z) : [] };
