@@ -63,6 +63,7 @@ class MaterialCurve(Effect):
                 "number": "2",
                 "pages": "300--304",
                 "year": "1984",
+                "doi": "10.1137/0905021",
             },
         ),
     )

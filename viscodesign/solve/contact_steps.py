@@ -67,6 +67,7 @@ class ContactSteps(Solver):
                 "volume": "35",
                 "publisher": "Springer",
                 "year": "2008",
+                "doi": "10.1007/978-3-540-75392-6",
             },
         ),
     )

@@ -35,6 +35,7 @@ class GlycerolWater(NamedFluid):
                 "volume": "47",
                 "pages": "3285--3288",
                 "year": "2008",
+                "doi": "10.1021/ie071349z",
             },
         ),
         LiteratureReference(

@@ -35,6 +35,7 @@ class Water(NamedFluid):
                 "number": "2",
                 "pages": "387--535",
                 "year": "2002",
+                "doi": "10.1063/1.1461829",
             },
         ),
         LiteratureReference(

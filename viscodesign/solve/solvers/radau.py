@@ -55,6 +55,7 @@ class Radau(Solver):
                 "Differential-Algebraic Problems",
                 "publisher": "Springer",
                 "year": "1996",
+                "doi": "10.1007/978-3-642-05221-7",
             },
         ),
     )
