@@ -11,6 +11,7 @@ import matplotlib as mpl
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 Record = dict[str, Any]
 WANTED = (1e-2, 1e-3, 1e-4)
@@ -172,6 +173,8 @@ def _panel(axis: Any, case: Record, results: list[Record], places: dict[str, int
     least = 1.0
     for name, k in places.items():
         own = [r for r in results if r["name"] == name and r.get("error_rel") and r.get("warm_s")]
+        if not own:
+            continue
         least = min([least, *(r["error_rel"] for r in own)])
         axis.loglog(
             [1e3 * r["warm_s"] for r in own],
@@ -180,11 +183,14 @@ def _panel(axis: Any, case: Record, results: list[Record], places: dict[str, int
             color=COLOURS[k % len(COLOURS)],
             linewidth=2.2 if OURS in name else 1.0,
             linestyle="-" if k < len(COLOURS) else "--",
-            label=name if own else f"{name}: none",
+            label=name,
         )
     axis.set_ylim(max(least / 2, LOWEST), 1.0)
     axis.set_title(case["title"], fontsize=10)
     axis.set_xlabel("CPU time of one solution, warm [ms]")
+    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())
     axis.set_ylabel("largest error, over the scale [1]")
     axis.grid(which="major", color="0.85", linewidth=0.6)
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False)
