@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ extensions = ["myst_parser", "sphinx.ext.autodoc"]
 html_theme = "furo"
 html_title = f"viscodesign {__version__}"
 html_show_sphinx = False
+html_show_copyright = False
 default_role = "code"
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
@@ -31,7 +33,7 @@ myst_heading_anchors = 3
 myst_enable_extensions = ["attrs_inline"]
 suppress_warnings = ["myst.header"]  # the README begins with a picture, not with a title
 
-DOCS = Path(__file__).parent
+DOCS = Path(__file__).resolve().parent
 README = (DOCS.parent / "README.md").read_text(encoding="utf-8")
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\((?!https?:|#)([^)\s]+)\)")
 
@@ -45,13 +47,15 @@ def _prepare(app: Sphinx, name: str, source: list[str]) -> None:
     del app
     if name == "index":
         source[0] = README.replace("](docs/", "](") + source[0]
-    source[0] = LINK.sub(_inside, source[0])
+    folder = (DOCS / name).parent
+    source[0] = LINK.sub(partial(_inside, folder), source[0])
 
 
-def _inside(match: re.Match[str]) -> str:
-    """A link to a file that the site does not have, as the name of this file."""
+def _inside(folder: Path, match: re.Match[str]) -> str:
+    """A link of a page in a folder to a file that the site does not have, as this file's name."""
     words, target = match[1], match[2].partition("#")[0]
-    if not target.startswith("../") and (DOCS / target).is_file():
+    file = (folder / target).resolve()
+    if file.is_file() and file.is_relative_to(DOCS):
         return match[0]
     name = str(PurePosixPath(target)).replace("../", "")
     return words if name in words else f"{words} (`{name}`)"

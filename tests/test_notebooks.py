@@ -17,11 +17,11 @@ MOST_CELLS = 12
 LONGEST_CELL_S = 300
 SHOWN = {
     "1_how_does_my_leg_move": {"text/html": 3, "image/png": 1},
-    "2_which_tube_and_which_fluid": {"text/html": 1, "image/png": 1},
-    "3_a_path_that_i_want": {"image/png": 1},
-    "4_numbers_from_my_video": {"text/html": 1, "image/png": 1},
+    "2_which_tube_and_which_fluid": {"text/html": 2, "image/png": 1},
+    "3_a_path_that_i_want": {"text/html": 1},
+    "4_numbers_from_my_video": {"text/html": 2},
     "5_rehearse_a_pump": {"image/png": 1},
-    "6_two_runs_beside_each_other": {"text/html": 1, "image/png": 1},
+    "6_two_runs_beside_each_other": {"text/html": 2},
 }
 """How many tables, pages and pictures each notebook shows."""
 

@@ -88,7 +88,7 @@ def _rows(keys: dict[str, Any], above: str = "") -> Rows:
 def html_table(title: str, rows: Rows) -> str:
     """A table with a caption, a row a line; texts are shown as texts."""
     lines = (
-        f'<tr><th scope="row">{html.escape(key)}</th>'
+        f'<tr><th scope="row" style="text-align: left">{html.escape(key)}</th>'
         f'<td style="text-align: left">{html.escape(value)}</td></tr>'
         for key, value in rows
     )

@@ -94,7 +94,7 @@ def test_the_notebook_shows_what_matters() -> None:
 def test_a_scene_is_shown_by_its_keys() -> None:
     page = leg()._repr_html_()
     for key in ("actuator.length", "network.tube_length", "effects.others", "run.duration"):
-        assert f'<th scope="row">{key}</th>' in page
+        assert f'">{key}</th>' in page
 
 
 @pytest.mark.parametrize("run", [RUN, SHORT, with_two_inlets(RUN, 0.5)])
