@@ -15,6 +15,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.drawing_library import import_matplotlib
 from viscodesign.report.notebook import Rows, html_table
 from viscodesign.results.channels import millimetres
+from viscodesign.results.findings import outside_words
 from viscodesign.results.fit_result import Fit, FittedNumber
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.path_design import PathDesign
@@ -94,6 +95,8 @@ def _answer(found: PathDesign) -> Iterator[tuple[str, str]]:
             millimetres, (found.confirmed_rms_m, found.confirmed_worst_m, found.tolerance_m)
         )
         yield "distance, simulated", f"{rms} rms, at most {worst} (allowed {allowed} rms)"
+    if found.violations:
+        yield "validity", outside_words(found.violations)
     for key, value in list(found.parameters.items())[:MOST_ROWS]:
         yield key, value_words(float(f"{value:.4g}"), found.units.get(key))
     yield from _more(len(found.parameters), "numbers")
@@ -136,6 +139,8 @@ def _reach(study: ReachStudy) -> StudyView:
 
 
 def _places(study: ReachStudy) -> Iterator[tuple[str, str]]:
+    if study.interrupted:
+        yield "status", "interrupted: what there is was not verified, or not all of it"
     low, high = study.limits
     yield "inlet", f"{1e-3 * low:.3g} to {1e-3 * high:.3g} kPa above the baseline"
     areas = (("one inlet", study.area_m2), ("an inlet a column", study.area_two_inlets_m2))
@@ -144,12 +149,15 @@ def _places(study: ReachStudy) -> Iterator[tuple[str, str]]:
             yield f"area, {words}", f"{1e4 * area:.3g} cm²"
     if study.edge_error_m is not None:
         yield "edge, simulated", f"off by at most {millimetres(study.edge_error_m)}"
+    for why in study.edge_failures[:MOST_ROWS]:
+        yield "edge, not verified", why
     point = study.point
-    if point is not None:
+    if point is not None and point.is_verified:
         x, z = (1e3 * value for value in point.at)
         miss, error = millimetres(point.miss_m), millimetres(point.stated_error_m)
         reached = f"reached to {miss}, stated error {error}"
         told = reached if point.is_reached else f"out of reach by {miss}"
+        told += f"; {outside_words(point.violations)}" if point.violations else ""
         yield f"({x:.4g}, {z:.4g}) mm at {point.time_s:.3g} s", told
 
 

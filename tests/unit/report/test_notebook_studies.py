@@ -15,6 +15,7 @@ from PIL import Image
 from tests.unit.report.every_picture import subject
 from tests.unit.report.test_notebook import Tags
 from viscodesign.report.layout.style import RC
+from viscodesign.results.findings import Notice
 from viscodesign.results.fit_result import Fit, FittedNumber
 
 
@@ -68,6 +69,23 @@ def test_a_study_shows_its_numbers_and_its_picture(
     (shown,) = re.findall(r"width: (\d+)px", page)
     with Image.open(BytesIO(base64.b64decode(content))) as picture:
         assert float(shown) == pytest.approx(picture.size[0] * 96 / 20, abs=0.51)
+
+
+def test_what_casts_doubt_on_a_study_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(RC, "savefig.dpi", 20)
+    outside = (Notice("choking", "too fast"),)
+    assert (
+        "outside of the model: choking"
+        in replace(subject("design"), violations=outside)._repr_html_()
+    )
+    study = subject("reach")
+    point = replace(study.point, violations=outside)
+    page = replace(study, point=point, interrupted=True, edge_failures=("it fell",))._repr_html_()
+    assert [
+        own
+        for own in ("outside of the model: choking", "interrupted", "it fell")
+        if own not in page
+    ] == []
 
 
 def test_a_sweep_without_rows_has_no_picture() -> None:
