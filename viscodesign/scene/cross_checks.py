@@ -79,7 +79,7 @@ def _fluid(valid: Fields) -> Iterator[KeyFault]:
         fluid.properties(valid["Scene", "temperature"], valid["Scene", "ambient_pressure"])
     except PydanticCustomError as error:
         for found in faults_of(error):
-            is_own = found.path != ("temperature",)
+            is_own = found.path not in (("temperature",), ("ambient_pressure",))
             yield found._replace(path=("fluid", *found.path)) if is_own else found
 
 

@@ -104,3 +104,14 @@ def test_a_grade_survives_a_round_trip() -> None:
 def test_an_own_fluid_may_be_called_like_a_grade() -> None:
     own = leg("fluid={name: silicone oil 350 cSt, viscosity: 1, density: 900}").fluid
     assert own.viscosity == 1
+
+
+@pytest.mark.parametrize("name", ["water", "air", "{name: glycerol-water, fraction: 50 %}"])
+@pytest.mark.parametrize("pressure", [1.01e9, 1e30, 4.58e286])
+def test_beyond_the_pressures_of_its_formulas_a_fluid_is_refused(
+    name: str, pressure: float
+) -> None:
+    told = r"ambient_pressure: must be at most 1e\+09 Pa, up to which the properties of "
+    with pytest.raises(SpecError, match=told):
+        leg(f"fluid={name}", f"ambient_pressure={pressure} Pa")
+    leg(f"fluid={name}", "ambient_pressure=0.99 GPa")

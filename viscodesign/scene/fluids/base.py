@@ -45,6 +45,8 @@ class NamedFluid(ABC):
     """Lowest temperature of the correlations [K]."""
     max_temperature: ClassVar[float]
     """Highest temperature of the correlations [K]."""
+    max_pressure: ClassVar[float] = 1e9
+    """Highest absolute pressure of the correlations: that of the formulation of water [Pa]."""
     has_stiffness: ClassVar[bool] = True
     """Whether a gas constant or a bulk modulus is known."""
     other_names: ClassVar[tuple[str, ...]] = ()
@@ -77,6 +79,12 @@ class NamedFluid(ABC):
                 "temperature",
                 f"must be from {cls.min_temperature:g} K to {cls.max_temperature:g} K, where the "
                 f"properties of {cls.name} are known; got {temperature:g} K",
+            )
+        if pressure > cls.max_pressure:
+            raise invalid_at(
+                "ambient_pressure",
+                f"must be at most {cls.max_pressure:g} Pa, up to which the properties of "
+                f"{cls.name} are known; got {pressure:g} Pa",
             )
         return cls.properties(temperature, pressure, fraction or 0.0)
 
