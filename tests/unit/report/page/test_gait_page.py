@@ -48,6 +48,8 @@ def test_a_foot_bears_where_the_table_says(open_page: Open, study: WalkStudy) ->
     for shown in (0, 7, len(motion.rows) - 1):
         page.evaluate("row => seek(player, row)", shown)
         row = motion.rows[shown]
+        told = float(str(page.text_content("#clock")).removeprefix("t = ").removesuffix(" s"))
+        assert told == pytest.approx(motion.time[row], abs=0.005)
         feet = page.eval_on_selector_all(
             ".foot", "all => all.map(e => [e.cx.baseVal.value, e.cy.baseVal.value])"
         )

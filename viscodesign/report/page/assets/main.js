@@ -41,20 +41,8 @@ function showMotion(run) {
   new ResizeObserver(() => layout(false)).observe(document.body);
   layout(true);
   seek(player, run.summary.status === "complete" ? 0 : player.last);
-  printWhole();
   window.player = player;
   return player;
-}
-
-// On paper nobody can open what is folded.
-function printWhole() {
-  const folded = () => [...document.querySelectorAll("details.printed")];
-  let opened = [];
-  window.addEventListener("beforeprint", () => {
-    opened = folded().filter((own) => !own.open);
-    for (const own of opened) own.open = true;
-  });
-  window.addEventListener("afterprint", () => { for (const own of opened) own.open = false; });
 }
 
 start();

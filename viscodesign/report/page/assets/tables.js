@@ -75,7 +75,7 @@ function brokenWords(status, run, failure) {
   const time = run.count ? run.time.values[run.count - 1] : null;
   const ended = time === null ? "before its first output time" : `at t = ${shortNumber(time, 6)} s`;
   const words = status === "failed" ? `This run failed: it ended ${ended}.` : `This run was interrupted: it ended ${ended}.`;
-  return [element("strong", {}, words), " What is shown is the part that was computed. ", failure ? `Reason: ${failure}` : ""];
+  return [element("strong", {}, words), " What is shown is the part that was computed. ", ...(failure ? prose(`Reason: ${failure}`) : [])];
 }
 
 const METRIC_UNITS = { m: ["mm", 1e3], m2: ["cm²", 1e4], s: ["s", 1], rad: ["rad", 1] };
@@ -160,6 +160,18 @@ function showProvenance(run) {
 function tellProvenance(rows, spec) {
   byId("provenance").append(table(["what", "value"], rows, { label: "provenance" }));
   byId("spec").textContent = spec;
+  printWhole();
+}
+
+// On paper nobody can open what is folded.
+function printWhole() {
+  const folded = () => [...document.querySelectorAll("details.printed")];
+  let opened = [];
+  window.addEventListener("beforeprint", () => {
+    opened = folded().filter((own) => !own.open);
+    for (const own of opened) own.open = true;
+  });
+  window.addEventListener("afterprint", () => { for (const own of opened) own.open = false; });
 }
 
 // The table of all values at the cursor, filled while it is open; lines are [name, text of a row].
