@@ -16,10 +16,10 @@ import numpy as np
 from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.lazy_dataclass import dataclass
 
-DIRECTIONS, FEW_DIRECTIONS = 96, 36
+DIRECTIONS, FEW_DIRECTIONS = 192, 36
 """Points of an edge; where each needs linear programs."""
-ROUNDS = 2
-"""Times that the edge is moved outwards along its normals."""
+ROUNDS = 3
+"""Times that the edge is moved outwards along its normals, and its points spread again."""
 BETWEEN, NEAR = 12, 0.1
 """Points between two of an edge, and the longest move of one, in parts of the edge's size."""
 PAST_STEPS, PAST_TIMES, FIRST_TIME = 600, 14.0, 1e-3
@@ -145,7 +145,8 @@ def edge_pressures(
     found = _spread(rod, np.array([extreme(own @ slopes) for own in across]), directions)
     for _ in range(ROUNDS):
         found = _spread(rod, _moved_out(extreme, rod, found), directions)
-    return found
+    # Points that were spread lie between extremes, and so within the edge.
+    return _moved_out(extreme, rod, found)
 
 
 def _spread(rod: ArcRod, pressures: np.ndarray, directions: int) -> np.ndarray:
