@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from viscodesign.compiled.free_keys import candidates
+from viscodesign.compiled.free_keys import FreeKeys, candidates
 from viscodesign.compiled.problem_trace import FrozenParts
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.effects.base import Effect
@@ -66,7 +66,8 @@ class Case:
         return self.quantities.scene
 
     def numbers(self, *free: str) -> SceneNumbers:
-        return SceneNumbers(self.quantities, self.selection.effects, self.settings, free)
+        keys = FreeKeys(self.scene, free)
+        return SceneNumbers(self.quantities, self.selection.effects, self.settings, keys)
 
     def effects(self, quantities: SceneQuantities) -> list[Effect]:
         return [type(effect).of(quantities) for effect in self.selection.effects]

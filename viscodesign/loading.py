@@ -73,14 +73,27 @@ def load_pumped(source: SpecSource, overrides: Overrides = ()) -> Scene:
 
 def replaced(scene: Scene, changes: Mapping[str, Any]) -> Scene:
     """A scene with other values of some keys, checked like a loaded one."""
-    folder = Path(scene.source.file).parent
-    spec = ReadSpec(Document("", plain_part(scene)), folder, scene.source)
-    return scene_of(spec, changes, known_effects())
+    return scene_of(_read_again(scene), changes, known_effects())
 
 
 def checked(scene: Scene) -> Scene:
     """A scene whose values nobody has checked, checked like a loaded one."""
     return replaced(scene, {})
+
+
+def checked_several(scene: SeveralScene) -> SeveralScene:
+    """Several actuators whose values nobody has checked, checked like loaded ones."""
+    return several_of(_read_again(scene), {}, known_effects())
+
+
+def checked_robot(scene: RobotScene) -> RobotScene:
+    """A robot whose values nobody has checked, checked like a loaded one."""
+    return robot_of(_read_again(scene), {}, known_effects())
+
+
+def _read_again(scene: Scene | SeveralScene | RobotScene) -> ReadSpec:
+    folder = Path(scene.source.file).parent
+    return ReadSpec(Document("", plain_part(scene)), folder, scene.source)
 
 
 def schema() -> dict[str, Any]:

@@ -1,10 +1,10 @@
-"""Which numbers of a scene a user may set free, by the keys of its spec."""
+"""Which numbers of a spec a user may set free, by its keys."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 
@@ -19,9 +19,15 @@ from viscodesign.compiled.scene_fields import (
 )
 from viscodesign.effects.catalogue import effect_names, with_default_options
 from viscodesign.errors import Fault, SpecError, did_you_mean
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.graph import Tube
 from viscodesign.scene.effects_choice import EFFECTS, MODE
 from viscodesign.scene.fluid import Fluid
+from viscodesign.scene.network import Network
+from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.several import ActuatorDesign
+from viscodesign.scene.several_scene import SeveralScene
 from viscodesign.scene.spec_part import KeyPath, copied
 from viscodesign.storage.cached_property import cached_property
 
@@ -46,8 +52,21 @@ TUBE_SIZES = ("length", "radius")
 EVERY = "*"
 
 
-class FreeKeys:
-    """The free numbers of a scene: what their keys stand for, and scenes with other values.
+SpecT = TypeVar("SpecT", bound=Scene | SeveralScene | RobotScene)
+ManyT = TypeVar("ManyT", bound=SeveralScene | RobotScene)
+
+
+@dataclass(frozen=True)
+class TubePlace:
+    """A tube of a spec."""
+
+    tube: Tube
+    path: KeyPath
+    """Where its numbers stand."""
+
+
+class FreeNumbers(Generic[SpecT]):
+    """The free numbers of a spec: what their keys stand for, and specs with other values.
 
     A key is a dotted path as ``--set`` takes it, with these additions:
 
@@ -62,9 +81,7 @@ class FreeKeys:
     overlap.
     """
 
-    def __init__(self, scene: Scene, keys: Sequence[str], *, one_period: bool = False) -> None:
-        self.one_period = one_period
-        """Whether runs last one period of their single input, whichever it has."""
+    def __init__(self, scene: SpecT, keys: Sequence[str]) -> None:
         self.given = (keys,) if isinstance(keys, str) else tuple(keys)
         if not self.given:
             raise SpecError.plain("no key is free; give at least one, such as network.tube_length")
@@ -75,7 +92,7 @@ class FreeKeys:
         own = with_fluid_numbers(scene) if is_of_fluid else scene
         named = [path[1] for path in map(_parsed, self.given) if path[0] == EFFECTS and path[1:]]
         self.scene = with_default_options(own, named)
-        """The scene with what it leaves unsaid spelt out where a number of it is free: the numbers
+        """The spec with what it leaves unsaid spelt out where a number of it is free: the numbers
         of its fluid, and options of effects."""
         self.numbers_of = self._all_expanded()
         """The numbers that each of the given keys stands for, in their order."""
@@ -89,7 +106,7 @@ class FreeKeys:
 
     @property
     def values(self) -> np.ndarray:
-        """(f,) The scene's own numbers [SI]."""
+        """(f,) The spec's own numbers [SI]."""
         return np.array([number.value for number in self.numbers])
 
     def are_allowed(self, values: np.ndarray) -> np.ndarray:
@@ -106,22 +123,20 @@ class FreeKeys:
         ends = [(b.low, b.high, b.excludes_low, b.excludes_high) for b in bounds]
         return tuple(np.array(part) for part in zip(*ends, strict=True))
 
-    def placed(self, values: Sequence[Any] | np.ndarray) -> Scene:
-        """The scene with other values, not validated; they may be any kind of number."""
+    def with_values(self, values: Sequence[Any] | np.ndarray) -> SpecT:
+        """The spec with other values, not validated; they may be any kind of number."""
         tree: dict[str, Any] = {}
         for number, value in zip(self.numbers, values, strict=True):
             here = tree
             for part in number.path[:-1]:
                 here = here.setdefault(part, {})
             here[number.path[-1]] = value
-        found: Scene = replaced(self.scene, tree)
-        return over_one_period(found) if self.one_period else found
+        found: SpecT = replaced(self.scene, tree)
+        return found
 
-    def validated(self, values: Sequence[float] | np.ndarray) -> Scene:
-        """The scene with other values, validated like a loaded one."""
-        from viscodesign.loading import checked
-
-        return checked(self.placed([float(value) for value in values]))
+    def _networks(self) -> Mapping[KeyPath, Mapping[str, TubePlace]]:
+        """Tubes whose numbers may be free, by name, of each part of the spec that has some."""
+        raise NotImplementedError
 
     # -- from keys to numbers -----------------------------------------------------
 
@@ -140,10 +155,13 @@ class FreeKeys:
         path = _parsed(key)
         if reason := _frozen(path):
             raise _refused(key, reason)
-        if path[:2] in (("network", "tubes"), ("network", "changes")) and len(path) == 4:
-            name, size = path[2].strip("[]"), path[3]
-            if path[2].startswith("[") or name in self._tube_paths:
-                return self._tubes(key, name, size)
+        for network, tubes in self._tubes_known.items():
+            count = len(network)
+            is_tube = path[:count] == network and path[count : count + 1] in (TUBES, CHANGES)
+            if is_tube and len(path) == count + 3:
+                name = path[-2].strip("[]")
+                if path[-2].startswith("[") or name in tubes:
+                    return self._tubes(key, network, name, path[-1])
         for table in self._tables:
             count = len(table.path)
             if path[:count] == table.path and path[count : count + 1] and path[count][0] == "[":
@@ -152,40 +170,32 @@ class FreeKeys:
             return [self._number(key, path)]
         if is_given(self.scene, path):
             raise _refused(key, "it is not a number that may change by a little")
-        hint = did_you_mean(key, candidates(self.scene))
-        raise SpecError([Fault(f"no such number in this scene{hint}", key)])
+        raise SpecError([Fault(self._unknown(key), key)])
 
-    def _tubes(self, key: str, name: str, size: str) -> list[FreeNumber]:
+    def _unknown(self, key: str) -> str:
+        """What is said of a key at which no number stands."""
+        known = [".".join(path) for path, found in self._known.items() if found.value is not None]
+        return f"no such number in this spec{did_you_mean(key, known)}"
+
+    def _tubes(self, key: str, network: KeyPath, name: str, size: str) -> list[FreeNumber]:
         if size not in TUBE_SIZES:
             raise SpecError([Fault(f"no such key{did_you_mean(size, TUBE_SIZES)}", key)])
+        known = self._tubes_known[network]
         if name == EVERY:
-            return [self._tube(each, size) for each in self._tube_paths]
-        if name not in self._tube_paths:
-            known = f"; the tubes are {', '.join(self._tube_paths)}"
-            raise SpecError(
-                [Fault(f"no such tube{did_you_mean(name, self._tube_paths) or known}", key)]
-            )
-        return [self._tube(name, size)]
+            return [self._tube(network, each, size) for each in known]
+        if name not in known:
+            listed = f"; the tubes are {', '.join(known)}"
+            raise SpecError([Fault(f"no such tube{did_you_mean(name, known) or listed}", key)])
+        return [self._tube(network, name, size)]
 
-    def _tube(self, name: str, size: str) -> FreeNumber:
-        tube = next(t for t in self.scene.graph.tubes if t.name == name)
-        path, key = (*self._tube_paths[name], size), f"network.tubes[{name}].{size}"
-        return FreeNumber(key, path, float(getattr(tube, size)), "m", ABOVE_ZERO)
+    def _tube(self, network: KeyPath, name: str, size: str) -> FreeNumber:
+        own = self._tubes_known[network][name]
+        value = float(getattr(own.tube, size))
+        return FreeNumber(_tube_key(network, name, size), (*own.path, size), value, "m", ABOVE_ZERO)
 
     @cached_property
-    def _tube_paths(self) -> dict[str, KeyPath]:
-        """Where the numbers of each tube stand, by its name; without feed lines."""
-        network = self.scene.network
-        graph = copied(network, {"feed_line": None}).graph(
-            self.scene.bellows.count, tuple(self.scene.inputs)
-        )
-        found: dict[str, KeyPath] = {}
-        for k, tube in enumerate(graph.tubes):
-            turned = f"{tube.end}-{tube.start}"
-            own = turned if turned in network.changes else tube.name
-            is_custom = network.layout == "custom"
-            found[tube.name] = ("network", *(("tubes", str(k)) if is_custom else ("changes", own)))
-        return found
+    def _tubes_known(self) -> Mapping[KeyPath, Mapping[str, TubePlace]]:
+        return self._networks()
 
     def _rows(self, key: str, table: TableField, row: str, column: str) -> list[FreeNumber]:
         """Numbers of one column of a table, of one row or of all."""
@@ -220,13 +230,132 @@ class FreeKeys:
                 message = f"stands for the same number as {seen[number.path]}"
                 raise SpecError([Fault(message, number.name)])
             seen[number.path] = number.name
-        for size in TUBE_SIZES:
-            shared = f"network.tube_{size}"
-            for name, path in self._tube_paths.items() if shared in self.names else ():
-                own = (*path, size)
-                if own in seen and not is_given(self.scene, own):
-                    message = f"overlaps with {shared}, which gives this tube its {size}"
-                    raise SpecError([Fault(message, f"network.tubes[{name}].{size}")])
+        for network, tubes in self._tubes_known.items():
+            for size in TUBE_SIZES:
+                shared = ".".join((*network, f"tube_{size}"))
+                for name, place in tubes.items() if shared in self.names else ():
+                    own = (*place.path, size)
+                    if own in seen and not is_given(self.scene, own):
+                        message = f"overlaps with {shared}, which gives this tube its {size}"
+                        raise SpecError([Fault(message, _tube_key(network, name, size))])
+
+
+class SceneKeys(Protocol):
+    """Free numbers of a scene, whatever spec they are keys of."""
+
+    given: tuple[str, ...]
+
+    @property
+    def scene(self) -> Scene:
+        """The scene with its own numbers."""
+
+    @property
+    def names(self) -> tuple[str, ...]: ...
+
+    @property
+    def values(self) -> np.ndarray: ...
+
+    @property
+    def numbers(self) -> list[FreeNumber]: ...
+
+    def only(self, keys: Sequence[str]) -> SceneKeys:
+        """Some of them, by their keys as given."""
+
+    def are_allowed(self, values: np.ndarray) -> np.ndarray:
+        """Whether rows of values (m, f) are finite and within the ranges of the spec (m,)."""
+
+    def placed(self, values: Sequence[Any] | np.ndarray) -> Scene:
+        """The scene with other values, not validated; they may be any kind of number."""
+
+    def validated(self, values: Sequence[float] | np.ndarray) -> Scene:
+        """The scene with other values, validated like a loaded one."""
+
+
+class FreeKeys(FreeNumbers[Scene]):
+    """The free numbers of a scene; see `FreeNumbers` for the keys."""
+
+    def __init__(self, scene: Scene, keys: Sequence[str], *, one_period: bool = False) -> None:
+        self.one_period = one_period
+        """Whether runs last one period of their single input, whichever it has."""
+        super().__init__(scene, keys)
+
+    def only(self, keys: Sequence[str]) -> Self:
+        """Some of them, by their keys as given."""
+        return type(self)(self.scene, keys, one_period=self.one_period)
+
+    def placed(self, values: Sequence[Any] | np.ndarray) -> Scene:
+        """The scene with other values, not validated; they may be any kind of number."""
+        found = self.with_values(values)
+        return over_one_period(found) if self.one_period else found
+
+    def validated(self, values: Sequence[float] | np.ndarray) -> Scene:
+        """The scene with other values, validated like a loaded one."""
+        from viscodesign.loading import checked
+
+        return checked(self.placed([float(value) for value in values]))
+
+    def _unknown(self, key: str) -> str:
+        return f"no such number in this scene{did_you_mean(key, candidates(self.scene))}"
+
+    def _networks(self) -> Mapping[KeyPath, Mapping[str, TubePlace]]:
+        inlets = tuple(self.scene.inputs)
+        return {NETWORK: tube_places(self.scene.network, self.scene.bellows.count, inlets, NETWORK)}
+
+
+ACTUATORS = "actuators"
+NETWORK: KeyPath = ("network",)
+TUBES, CHANGES = ("tubes",), ("changes",)
+
+
+def tube_places(
+    network: Network, bellows: int, inlets: tuple[str, ...], path: KeyPath
+) -> dict[str, TubePlace]:
+    """Where the numbers of each tube of a network at a path stand, by its name; no feed lines."""
+    graph = copied(network, {"feed_line": None}).graph(bellows, inlets)
+    found: dict[str, TubePlace] = {}
+    for k, tube in enumerate(graph.tubes):
+        turned = f"{tube.end}-{tube.start}"
+        own = turned if turned in network.changes else tube.name
+        is_custom = network.layout == "custom"
+        place = (*TUBES, str(k)) if is_custom else (*CHANGES, own)
+        found[tube.name] = TubePlace(tube, (*path, *place))
+    return found
+
+
+class FreeActuatorNumbers(FreeNumbers[ManyT]):
+    """The free numbers of a spec that has actuators by name.
+
+    Those of an actuator have ``actuators.NAME.`` before them: ``actuators.left.bellows.height``,
+    ``actuators.left.network.tubes[R1-R2].length``. They hold for all that are `like` it.
+    """
+
+    def _expanded(self, key: str) -> list[FreeNumber]:
+        root, _, rest = key.partition(".")
+        name, _, below = rest.partition(".")
+        actuators: Mapping[str, ActuatorDesign] = self.scene.actuators
+        like = actuators[name].like if name in actuators else None
+        if root == ACTUATORS and like is not None and below.partition(".")[0] != "loads":
+            message = f"'{name}' is like '{like}'; set {ACTUATORS}.{like}.{below} free"
+            raise SpecError([Fault(message, key)])
+        return super()._expanded(key)
+
+    def _inlets_of(self, actuator: str) -> tuple[str, ...]:
+        """Inlets of an actuator's own network."""
+        raise NotImplementedError
+
+    def _networks(self) -> Mapping[KeyPath, Mapping[str, TubePlace]]:
+        found: dict[KeyPath, Mapping[str, TubePlace]] = {}
+        actuators: Mapping[str, ActuatorDesign] = self.scene.actuators
+        for name, own in actuators.items():
+            if own.network is not None and own.bellows is not None:
+                path = (ACTUATORS, name, *NETWORK)
+                inlets = self._inlets_of(name)
+                found[path] = tube_places(own.network, own.bellows.count, inlets, path)
+        return found
+
+
+def _tube_key(network: KeyPath, name: str, size: str) -> str:
+    return f"{'.'.join((*network, *TUBES))}[{name}].{size}"
 
 
 def over_one_period(scene: Scene) -> Scene:
@@ -263,11 +392,12 @@ def candidates(scene: Scene) -> list[str]:
     return [*numbers, *tubes, *rows]
 
 
-def with_fluid_numbers(scene: Scene) -> Scene:
-    """The scene with the numbers of its fluid spelt out."""
-    known, choice = scene.fluid, scene.fluid_choice
+def with_fluid_numbers(scene: SpecT) -> SpecT:
+    """The spec with the numbers of its fluid spelt out."""
+    choice = scene.fluid_choice
     if choice.viscosity is not None:
         return scene
+    known = choice.properties(scene.temperature, scene.ambient_pressure)
     spelt = Fluid(
         name=known.name,
         viscosity=known.viscosity,
@@ -277,7 +407,7 @@ def with_fluid_numbers(scene: Scene) -> Scene:
         vapour_pressure=known.vapour_pressure,
         polytropic_exponent=choice.polytropic_exponent,
     )
-    found: Scene = copied(scene, {"fluid_choice": spelt})
+    found: SpecT = copied(scene, {"fluid_choice": spelt})
     return found
 
 
@@ -289,11 +419,11 @@ def _frozen(path: KeyPath) -> str:
     return FROZEN_SECTIONS.get(path[0], "") or FROZEN_FIELDS.get(single[:2], "")
 
 
-def _refuse_surroundings(scene: Scene, keys: Sequence[str]) -> None:
+def _refuse_surroundings(scene: Scene | SeveralScene | RobotScene, keys: Sequence[str]) -> None:
     """Refuse what a named fluid's properties depend on."""
     for key in keys if scene.fluid_choice.viscosity is None else ():
         if key in SURROUNDINGS:
-            library = f"the library that gives the properties of {scene.fluid.name}"
+            library = f"the library that gives the properties of {scene.fluid_choice.name}"
             raise _refused(key, f"{library} has no derivatives; give viscosity and density")
 
 

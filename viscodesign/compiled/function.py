@@ -1,4 +1,4 @@
-"""A scene as a function of free numbers, with derivatives: `compile`."""
+"""A scene as a function of free numbers, with derivatives."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -21,7 +21,8 @@ from viscodesign.compiled.batch import (
 )
 from viscodesign.compiled.batch import Batch as Batch
 from viscodesign.compiled.directions import independent
-from viscodesign.compiled.free_keys import over_one_period
+from viscodesign.compiled.free_keys import FreeKeys, SceneKeys, over_one_period
+from viscodesign.compiled.given_values import Values, listed_rows, names_of, values_in_order
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
 from viscodesign.compiled.outputs import ChosenOutputs
@@ -31,7 +32,8 @@ from viscodesign.compiled.side_by_side import SideBySide
 from viscodesign.compiled.solution import MotionFunction
 from viscodesign.effects.allowed_sets import AllowedSets
 from viscodesign.effects.select import select_effects
-from viscodesign.errors import Fault, SpecError, ViscodesignError, did_you_mean
+from viscodesign.errors import Fault, SpecError, ViscodesignError
+from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
@@ -44,17 +46,6 @@ from viscodesign.solve.transient import suitable_solver
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
-
-@runtime_checkable
-class Labelled(Protocol):
-    """Values by label: a mapping, a pandas series, a row or a data frame."""
-
-    def keys(self) -> Iterable[str]: ...
-
-    def __getitem__(self, label: str) -> Any: ...
-
-
-Values = Sequence[float] | np.ndarray | Labelled
 LARGEST_TOLERANCE = 1.0
 """Largest tolerance of the steps, relative to the unknowns' sizes."""
 MOST_EDGES = 64
@@ -146,8 +137,10 @@ class CompiledFunction:
         one_period: bool = False,
         effects: frozenset[str] | None = None,
         keeps_unused: bool = False,
+        keys: SceneKeys | None = None,
     ) -> None:
-        free, outputs = _names("free", free), _names("outputs", outputs)
+        """``keys``: what the free numbers are of the scene, where they are keys of another spec."""
+        free, outputs = names_of("free", free), names_of("outputs", outputs)
         if not isinstance(scene, Scene):
             raise SpecError.plain(f"scene: needs a scene, such as load({scene!r}); got {scene!r}")
         if tolerance is not None and not 0.0 < tolerance < LARGEST_TOLERANCE:
@@ -166,7 +159,7 @@ class CompiledFunction:
             "effects": effects,
             "keeps_unused": keeps_unused,
         }
-        quantities = SceneQuantities(scene)
+        quantities = quantities_of(scene)
         refuse_beyond_numbers(quantities)
         self._active = select_effects(quantities).active if effects is None else effects
         refuse_unsolvable(quantities, self._active)
@@ -181,9 +174,9 @@ class CompiledFunction:
             settings = replace(settings, tolerance=tolerance)
         if edges_per_section is not None:
             settings = replace(settings, edges_per_section=edges_per_section)
-        self._numbers = SceneNumbers(
-            quantities, members, settings, free, one_period=one_period, keeps_unused=keeps_unused
-        )
+        if keys is None:
+            keys = FreeKeys(scene, free, one_period=one_period)
+        self._numbers = SceneNumbers(quantities, members, settings, keys, keeps_unused=keeps_unused)
         problem = KEPT_PROBLEMS.problem(quantities, members, settings).problem
         self._built = quantities, members, settings, problem
         own = self._numbers.at(self._numbers.values)
@@ -301,9 +294,11 @@ class CompiledFunction:
         A data frame is read by its columns, as a mapping is by its keys. A row that is out of
         range or whose solution fails is NaN, and `Batch.status` says why.
         """
-        if isinstance(rows, Labelled):
-            rows = list(np.transpose([np.asarray(rows[name]) for name in self._only_known(rows)]))
-        parts = in_parts(list(rows), self._motion.times.size * self._built[3].unknowns, workers)
+        parts = in_parts(
+            listed_rows(rows, self.names),
+            self._motion.times.size * self._built[3].unknowns,
+            workers,
+        )
         if workers is None or workers <= 1:
             found = list(map(self._some_rows, parts))
         else:
@@ -354,7 +349,7 @@ class CompiledFunction:
 
     def judge(self, values: Values | None = None) -> Judgement:
         """Weigh all effects again for these values."""
-        selection = select_effects(SceneQuantities(self.scene(values)))
+        selection = select_effects(quantities_of(self.scene(values)))
         return Judgement(
             selection.verdicts,
             tuple(sorted(selection.active - self.effects)),
@@ -394,10 +389,13 @@ class CompiledFunction:
         return _Solved(given, numbers, solution, self._period(given))
 
     def _period(self, given: np.ndarray) -> float | None:
-        """The period of all inputs [s], if any metric may need it."""
-        return (
-            self._numbers.keys.placed(given.tolist()).period if self._chosen.has_metrics else None
-        )
+        """The period of all inputs [s], if any metric may need it.
+
+        None of actuators that share fluid: what one has at its inlets need not repeat.
+        """
+        if not self._chosen.has_metrics or self._made_of[0].members:
+            return None
+        return self._numbers.keys.placed(given.tolist()).period
 
     def _period_slopes(self, solved: _Solved) -> np.ndarray:
         """(f,) of the period, by differences: a period is a sum or an inverse of few numbers."""
@@ -412,59 +410,7 @@ class CompiledFunction:
 
     def _array(self, values: Values | None) -> np.ndarray:
         """Values in order (f,)."""
-        if values is None:
-            return self.values
-        if not isinstance(values, np.ndarray) and isinstance(values, Labelled):
-            own = dict(zip(self.names, self._numbers.values.tolist(), strict=True))
-            given = [values[name] for name in self._only_known(values)]
-            own |= dict(zip(values.keys(), given, strict=True))
-            values = [own[name] for name in self.names]
-        try:
-            return np.array(values, dtype=float)
-        except (TypeError, ValueError) as error:
-            raise SpecError.plain(f"values: must be numbers in SI units; got {values!r}") from error
-
-    def _only_known(self, labelled: Labelled) -> list[str]:
-        """Labels, all of them free numbers."""
-        labels = list(labelled.keys())
-        unknown = [label for label in labels if label not in self.names]
-        if unknown:
-            hint = did_you_mean(unknown[0], self.names)
-            raise SpecError.plain(f"{unknown[0]}: no free number of this function{hint}")
-        return labels
-
-
-def _names(what: str, given: Sequence[str]) -> tuple[str, ...]:
-    """Names as they were given; one alone is a sequence of one."""
-    found = (
-        [given] if isinstance(given, str) else list(given) if isinstance(given, Iterable) else []
-    )
-    if not found or not all(isinstance(name, str) for name in found):
-        raise SpecError.plain(f"{what}: name at least one, as text; got {given!r}")
-    return tuple(found)
-
-
-def compile(
-    scene: Scene,
-    free: Sequence[str],
-    outputs: Sequence[str],
-    *,
-    tolerance: float | None = None,
-    edges_per_section: int | None = None,
-) -> CompiledFunction:
-    """The outputs of a scene as a function of free numbers, in native code where that can be had.
-
-    ``free``: keys of the spec, such as ``network.tube_radius``; ``network.tubes[*].length`` is one
-    number a tube. ``outputs``: columns of `trajectory.csv`, and names of metrics. The function is
-    solved at the scene's accuracy, as `simulate(scene, verify=False)` does; ``tolerance`` of the
-    steps and ``edges_per_section`` of the mesh, where these are not to follow from the accuracy.
-
-    Further outputs: the ends of the sections, counted from the clamp (``m1_x_m``), and what an
-    inlet has delivered (``inflow_m3``).
-
-    Raises `SpecError` for keys that cannot be free and for outputs that do not exist.
-    """
-    return CompiledFunction(scene, free, outputs, tolerance, edges_per_section)
+        return values_in_order(values, self.names, self._numbers.values)
 
 
 def _motion(

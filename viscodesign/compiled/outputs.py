@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from viscodesign.compiled.reading import Members, places_of
 from viscodesign.errors import Fault, SpecError, not_among
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.metrics import (
     METRIC_NAMES,
+    MetricGradient,
     MetricInputs,
     metric_gradients,
     metric_values,
@@ -18,6 +21,17 @@ from viscodesign.results.metrics import (
 from viscodesign.solve.problem import Problem
 
 TIP_COLUMNS = ("tip_x_m", "tip_z_m")
+
+
+@dataclass(frozen=True)
+class _Metric:
+    """A metric of one rod."""
+
+    name: str
+    tip: list[int]
+    """Places of x and z among the columns."""
+    pressures: list[int]
+    bellows: tuple[str, ...]
 
 
 class ChosenOutputs:
@@ -34,28 +48,40 @@ class ChosenOutputs:
         names: Sequence[str],
     ) -> None:
         self.names = (names,) if isinstance(names, str) else tuple(names)
-        known = [*places_of(problem, members), *METRIC_NAMES]
+        known = known_outputs(problem, members)
         faults = [Fault(not_among(name, known), "outputs") for name in self.names]
         faults = [f for f, name in zip(faults, self.names, strict=True) if name not in known]
         if faults or not self.names:
             raise SpecError(faults or [Fault("name at least one, such as tip_x_m", "outputs")])
-        self._bellows = members.bellows
         self._times = problem.schedule.edges[problem.schedule.outputs]
-        self.has_metrics = any(name in METRIC_NAMES for name in self.names)
-        self._metrics = [name for name in self.names if name in METRIC_NAMES]
-        own = [name for name in self.names if name not in METRIC_NAMES]
-        pressures = [f"pressure_{name}_pa" for name in self._bellows]
-        needed = [*TIP_COLUMNS, *pressures] if self._metrics else []
+        metrics = {f"{prefix}{name}": prefix for prefix, name in _metric_names(members)}
+        own = [name for name in self.names if name not in metrics]
+        used = {name: metrics[name] for name in self.names if name in metrics}
+        needed = [c for prefix in dict.fromkeys(used.values()) for c in _read_by(members, prefix)]
         self.columns = list(dict.fromkeys([*own, *needed]))
         """Columns that all outputs are read from."""
         self._place = {name: k for k, name in enumerate(self.columns)}
-        self._tip = [self._place[name] for name in TIP_COLUMNS] if needed else []
-        self._pressures = [self._place[name] for name in pressures] if needed else []
+        self._metrics = {
+            name: self._metric(members, prefix, name.removeprefix(prefix))
+            for name, prefix in used.items()
+        }
+
+    def _metric(self, members: Members, prefix: str, name: str) -> _Metric:
+        places = [self._place[column] for column in _read_by(members, prefix)]
+        tip, pressures = places[: len(TIP_COLUMNS)], places[len(TIP_COLUMNS) :]
+        return _Metric(name, tip, pressures, members.bellows_of(prefix))
+
+    @property
+    def has_metrics(self) -> bool:
+        """Whether any output is a metric."""
+        return bool(self._metrics)
 
     def read(self, columns: np.ndarray, period: float | None) -> dict[str, Any]:
         """Outputs from columns (T, c)."""
-        own = self._metrics
-        found = metric_values(self._inputs(columns, period), own) if own else {}
+        found: dict[str, Any] = {}
+        for inputs, names in self._by_rod(columns, period):
+            values = metric_values(inputs, [self._metrics[name].name for name in names])
+            found |= {name: values[self._metrics[name].name] for name in names}
         return {
             name: found[name] if name in found else columns[:, self._place[name]].copy()
             for name in self.names
@@ -67,14 +93,11 @@ class ChosenOutputs:
         """Rates (T, d) or (d,) of the outputs for those of columns (d, T, c) and period (d,)."""
         moved = np.moveaxis(rates, 0, -1)
         found: dict[str, Any] = {}
-        if self._metrics:
-            tip, pressures = moved[:, self._tip], moved[:, self._pressures]
-            gradients = metric_gradients(self._inputs(columns, period), self._metrics)
-            found = {
-                # Where the inputs lose their period, only what depends on it has no slope.
-                n: own.along(tip, pressures, period_rates if own.period else 0.0)
-                for n, own in gradients.items()
-            }
+        for name, gradient in self._gradients(columns, period, list(self._metrics)).items():
+            own = self._metrics[name]
+            # Where the inputs lose their period, only what depends on it has no slope.
+            by_period = period_rates if gradient.period else 0.0
+            found[name] = gradient.along(moved[:, own.tip], moved[:, own.pressures], by_period)
         return {
             name: found[name] if name in found else moved[:, self._place[name]].copy()
             for name in self.names
@@ -85,32 +108,72 @@ class ChosenOutputs:
     ) -> tuple[np.ndarray, float]:
         """Weights (T, c) of the columns, and that of the period, for those of some outputs."""
         found, period_weight = np.zeros_like(columns), 0.0
-        unknown = [name for name in weights if name not in self.names]
-        if unknown:
-            raise SpecError([Fault(not_among(unknown[0], self.names), "weights")])
-        for name, weight in weights.items():
-            given = np.asarray(weight, dtype=float)
-            shape = () if name in METRIC_NAMES else (len(self._times),)
-            if given.shape != shape:
-                raise SpecError.plain(
-                    f"weights: {name} needs an array of shape {shape}; got {given.shape}"
-                )
-            if name not in METRIC_NAMES:
-                found[:, self._place[name]] += given
-                continue
-            (gradient,) = metric_gradients(self._inputs(columns, period), [name]).values()
-            found[:, self._tip] += given * gradient.tip
-            found[:, self._pressures] += given * gradient.pressure
-            period_weight += float(given) * gradient.period
+        given = self.weights(weights)
+        for name, weight in given.items():
+            if name not in self._metrics:
+                found[:, self._place[name]] += weight
+        metrics = [name for name in given if name in self._metrics]
+        for name, gradient in self._gradients(columns, period, metrics).items():
+            own, weight = self._metrics[name], given[name]
+            found[:, own.tip] += weight * gradient.tip
+            found[:, own.pressures] += weight * gradient.pressure
+            period_weight += float(weight) * gradient.period
         return found, period_weight
+
+    def weights(self, given: Mapping[str, Any]) -> dict[str, np.ndarray]:
+        """Weights of outputs as arrays; raises `SpecError` for names and shapes that none has."""
+        found = {}
+        for name, weight in given.items():
+            if name not in self.names:
+                raise SpecError([Fault(not_among(name, self.names), "weights")])
+            shape = () if name in self._metrics else (len(self._times),)
+            found[name] = np.asarray(weight, dtype=float)
+            if found[name].shape != shape:
+                raise SpecError.plain(
+                    f"weights: {name} needs an array of shape {shape}; got {found[name].shape}"
+                )
+        return found
 
     def blank(self) -> dict[str, Any]:
         """Outputs of a run that failed."""
         return {
-            name: np.nan if name in METRIC_NAMES else np.full(len(self._times), np.nan)
+            name: np.nan if name in self._metrics else np.full(len(self._times), np.nan)
             for name in self.names
         }
 
-    def _inputs(self, columns: np.ndarray, period: float | None) -> MetricInputs:
-        tip, pressures = columns[:, self._tip], columns[:, self._pressures]
-        return MetricInputs.of(self._times, tip, pressures, self._bellows, period)
+    def _gradients(
+        self, columns: np.ndarray, period: float | None, wanted: Sequence[str]
+    ) -> dict[str, MetricGradient]:
+        """Gradients of some metrics."""
+        found: dict[str, MetricGradient] = {}
+        for inputs, names in self._by_rod(columns, period):
+            own = {name: self._metrics[name].name for name in names if name in wanted}
+            gradients = metric_gradients(inputs, list(own.values())) if own else {}
+            found |= {name: gradients[plain] for name, plain in own.items()}
+        return found
+
+    def _by_rod(
+        self, columns: np.ndarray, period: float | None
+    ) -> Iterator[tuple[MetricInputs, list[str]]]:
+        """What the metrics of each rod are computed from, and these metrics."""
+        for places in {tuple(own.tip): own for own in self._metrics.values()}.values():
+            names = [name for name, own in self._metrics.items() if own.tip == places.tip]
+            tip, pressures = columns[:, places.tip], columns[:, places.pressures]
+            yield MetricInputs.of(self._times, tip, pressures, places.bellows, period), names
+
+
+def known_outputs(problem: Problem, members: Members) -> list[str]:
+    """Names of all outputs of a problem: columns, and metrics of every rod."""
+    metrics = [f"{prefix}{name}" for prefix, name in _metric_names(members)]
+    return [*places_of(problem, members), *metrics]
+
+
+def _metric_names(members: Members) -> Iterator[tuple[str, str]]:
+    """What each rod's columns begin with, and each metric."""
+    return itertools.product(members.rod_prefixes, METRIC_NAMES)
+
+
+def _read_by(members: Members, prefix: str) -> list[str]:
+    """Columns that the metrics of a rod are read from: its tip, then the pressures."""
+    pressures = (f"pressure_{name}_pa" for name in members.bellows_of(prefix))
+    return [f"{prefix}{column}" for column in (*TIP_COLUMNS, *pressures)]

@@ -13,16 +13,17 @@ import numpy as np
 from pydantic_core import PydanticCustomError
 
 from viscodesign.compiled.conditions import Tape
-from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.compiled.free_keys import SceneKeys
 from viscodesign.compiled.scene_fields import parts_in
 from viscodesign.compiled.traced import formula_of, free_numbers, known, matrix_of, value_of
 from viscodesign.effects.base import Effect
 from viscodesign.errors import Fault, SpecError
+from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.chain import Chain
 from viscodesign.model.formulation import settle
 from viscodesign.model.rod import Body
+from viscodesign.model.several_rods import several_bodies
 from viscodesign.model.structure import structure_of
 from viscodesign.model.system import System
 from viscodesign.model.unknowns import Sizes
@@ -35,6 +36,7 @@ from viscodesign.simulation.build_problem import (
     corners_of,
     pieces_between,
     resolvable_body,
+    rod_of,
     sizes_of,
     stops_of,
 )
@@ -77,16 +79,25 @@ class FrozenParts:
 
     def body_of(self, quantities: SceneQuantities) -> Body:
         """The body of a scene with other numbers, as the equations have it."""
-        body, varied = quantities.body, quantities.body.varied
-        if varied is not None and self.stated.varied and self.resolved.varied:
-            ends = self.stated.varied, self.resolved.varied, varied
-            varied = replace(
-                varied,
-                bending_stiffness=_where_kept(*(own.bending_stiffness for own in ends)),
-                extension_stiffness=_where_kept(*(own.extension_stiffness for own in ends)),
-            )
-        stiffness = (own.extension_stiffness for own in (self.stated, self.resolved, body))
-        return replace(body, extension_stiffness=_where_kept(*stiffness), varied=varied)
+        bodies = self.stated, self.resolved, quantities.body
+        if not self.stated.members:
+            return _resolved_like(*bodies)
+        each = zip(*(own.members for own in bodies), strict=True)
+        return several_bodies([_resolved_like(*own) for own in each])
+
+
+def _resolved_like(stated: Body, resolved: Body, body: Body) -> Body:
+    """A body with other numbers; those that were capped in ``resolved`` are capped as they were."""
+    varied = body.varied
+    if varied is not None and stated.varied and resolved.varied:
+        ends = stated.varied, resolved.varied, varied
+        varied = replace(
+            varied,
+            bending_stiffness=_where_kept(*(own.bending_stiffness for own in ends)),
+            extension_stiffness=_where_kept(*(own.extension_stiffness for own in ends)),
+        )
+    stiffness = (own.extension_stiffness for own in (stated, resolved, body))
+    return replace(body, extension_stiffness=_where_kept(*stiffness), varied=varied)
 
 
 def _where_kept(stated: Any, resolved: Any, own: Any) -> Any:
@@ -103,13 +114,15 @@ class ProblemTrace:
     equations hold as constants; one of `UNTRACEABLE` where a formula needs plain numbers.
     """
 
-    def __init__(self, keys: FreeKeys, values: np.ndarray, frozen: FrozenParts, tape: Tape) -> None:
+    def __init__(
+        self, keys: SceneKeys, values: np.ndarray, frozen: FrozenParts, tape: Tape
+    ) -> None:
         self.tape = tape
         self.symbols, traced = free_numbers(keys.names, values, tape)
         tape.place = SCENE
         scene = keys.placed(traced)
         _validate_again(scene, keys.scene, ())
-        system = self._system(SceneQuantities(scene), frozen)
+        system = self._system(quantities_of(scene), frozen)
         tape.place = LAWS
         settle(system, frozen.sizes)
         self.structure = self._structure(system)
@@ -133,7 +146,7 @@ class ProblemTrace:
 
     def _system(self, quantities: SceneQuantities, frozen: FrozenParts) -> System:
         effects = (self._effect(kind, quantities) for kind in frozen.effects)
-        rod = Chain(quantities.body, frozen.edges_per_section)
+        rod = rod_of(quantities.body, frozen.edges_per_section)
         return assemble(quantities, effects, rod, frozen.body_of(quantities))
 
     def _effect(self, kind: type[Effect], quantities: SceneQuantities) -> Effect:
@@ -150,7 +163,7 @@ class ProblemTrace:
         return found
 
 
-def traced(keys: FreeKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTrace:
+def traced(keys: SceneKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTrace:
     """The numbers traced; raises `SpecError` with all keys that some formula needs as constants."""
     tape = Tape()
     try:
@@ -160,7 +173,7 @@ def traced(keys: FreeKeys, values: np.ndarray, frozen: FrozenParts) -> ProblemTr
             raise SpecError([constant_fault(keys.given[0], tape.place)]) from error
     faults, half = [], len(keys.given) // 2
     for given in (keys.given[:half], keys.given[half:]):
-        own = FreeKeys(keys.scene, given, one_period=keys.one_period)
+        own = keys.only(given)
         try:
             traced(own, own.values, frozen)
         except SpecError as error:

@@ -16,6 +16,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model import formulas as of
 from viscodesign.model.network_equations import NetworkForm
+from viscodesign.model.rod import RodDiscretisation
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.postprocess.fluid_balance import holding_columns
 from viscodesign.results.channels import CHANNELS, TIP_QUANTITIES, Channel, Per
@@ -99,13 +100,31 @@ class Members:
     bellows: tuple[str, ...]
     tubes: tuple[str, ...]
     junctions: tuple[str, ...]
+    rods: tuple[str, ...] = ()
+    """Names of several actuators that share fluid; empty for a single one."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Members:
         """Those of a scene."""
         graph, inlets = quantities.graph, tuple(quantities.scene.inputs)
         tubes = tuple(tube.name for tube in graph.tubes)
-        return cls(inlets, graph.bellows, tubes, graph.junctions)
+        return cls(inlets, graph.bellows, tubes, graph.junctions, tuple(quantities.scene.members))
+
+    @property
+    def rod_prefixes(self) -> tuple[str, ...]:
+        """What the columns of each rod begin with."""
+        return tuple(f"{name}." for name in self.rods) or ("",)
+
+    def bellows_of(self, prefix: str) -> tuple[str, ...]:
+        """A rod's bellows, under its own names."""
+        own = (name for name in self.bellows if name.startswith(prefix))
+        return tuple(name.removeprefix(prefix) for name in own)
+
+    def column(self, channel: Channel, member: str) -> str:
+        """The column of a member; what belongs to a rod has the rod's name before all."""
+        found = [prefix for prefix in self.rod_prefixes if prefix and member.startswith(prefix)]
+        prefix = found[0] if found else ""
+        return prefix + channel.column(member.removeprefix(prefix))
 
     def columns(self, channel: Channel) -> list[str]:
         """Columns of a quantity, in order."""
@@ -116,9 +135,10 @@ class Members:
             Per.JUNCTION: self.junctions,
             Per.CONTACT: (),  # a scene with contact is not compiled
         }
-        if channel.per not in own or (channel.per is Per.INLET and len(self.inlets) == 1):
+        is_only = channel.per is Per.INLET and len(self.inlets) == 1 and not self.rods
+        if channel.per not in own or is_only:
             return [channel.column()]
-        return [channel.column(name) for name in own[channel.per]]
+        return [self.column(channel, name) for name in own[channel.per]]
 
 
 SECTION_END_AXES = ("x", "z")
@@ -133,7 +153,9 @@ def places_of(problem: Problem, members: Members) -> dict[str, tuple[str, int]]:
     flows = problem.equations.network_form is NetworkForm.DISTRIBUTED
     for channel in CHANNELS:
         if channel.quantity in TIP_QUANTITIES:
-            found[channel.column()] = "tip", TIP_QUANTITIES.index(channel.quantity)
+            for k, prefix in enumerate(members.rod_prefixes):
+                place = len(TIP_QUANTITIES) * k + TIP_QUANTITIES.index(channel.quantity)
+                found[prefix + channel.column()] = "tip", place
         elif channel.quantity in READ and (flows or channel.quantity != "flow"):
             for k, column in enumerate(members.columns(channel)):
                 found[column] = channel.quantity, k
@@ -141,8 +163,17 @@ def places_of(problem: Problem, members: Members) -> dict[str, tuple[str, int]]:
             for k, column in enumerate(members.columns(channel)):
                 if problem.inlets[k] in delivering(problem):
                     found[column] = DELIVERED, k
-    ends = section_end_columns(problem.body.sections)
+    ends = [
+        prefix + column
+        for prefix, rod in zip(members.rod_prefixes, _rods(problem), strict=True)
+        for column in section_end_columns(rod.body.sections)
+    ]
     return found | {column: ("section_end", k) for k, column in enumerate(ends)}
+
+
+def _rods(problem: Problem) -> list[RodDiscretisation]:
+    """Each rod by itself."""
+    return [rod for rod, _ in problem.rod.rods({})]
 
 
 def section_end_columns(sections: int) -> list[str]:
@@ -155,22 +186,47 @@ def _in_order(problem: Problem, values: Mapping[str, SX], parameters: SX) -> dic
     order = problem.places.tolist()
     own = {name: values[name] for name in READ}
     own |= {name: own[name][order] for name in ("pressure", "volume")}
-    ends, angle = _section_ends(problem, values, parameters)
-    own |= {"section_end": ends, "tip": ca.vertcat(ends[-2:], angle)}
+    ends, angles = _section_ends(problem, values, parameters)
+    tips = [part for end, turn in zip(ends, angles, strict=True) for part in (end[-2:], turn)]
+    own |= {"section_end": ca.vertcat(*ends), "tip": ca.vertcat(*tips)}
     return own | {DELIVERED: _delivered(problem, values, parameters)}
 
 
-def _section_ends(problem: Problem, values: Mapping[str, SX], parameters: SX) -> tuple[SX, SX]:
-    """x and z of the end of every section (2 S,) [m], and the angle of the last one [rad]."""
-    sections = problem.body.sections
-    if problem.equations.rod_form is not RodForm.ARCS:
-        position = values["position"]
-        per_section = position.numel() // (2 * sections)
-        last = range(2 * (per_section - 1), position.numel(), 2 * per_section)
-        return ca.vertcat(*(position[k : k + 2] for k in last)), values["angle"][-1]
-    length = parameters[parameter_names(problem.equations).index("section_length")]
+def _section_ends(
+    problem: Problem, values: Mapping[str, SX], parameters: SX
+) -> tuple[list[SX], list[SX]]:
+    """By rod: x and z of the end of every section (2 S,) [m], and the angle of the last [rad]."""
+    rods = _rods(problem)
+    if problem.equations.rod_form is RodForm.ARCS:
+        return _arc_ends(problem, rods, values, parameters)
+    edges = np.cumsum([0, *(rod.body.sections * rod.edges_per_section for rod in rods)]).tolist()
+    places = ca.vertsplit(values["position"], [2 * edge for edge in edges])
+    ends = []
+    for rod, place in zip(rods, places, strict=True):
+        step = 2 * rod.edges_per_section
+        last = range(step - 2, place.numel(), step)
+        ends.append(ca.vertcat(*(place[k : k + 2] for k in last)))
+    return ends, [own[-1] for own in ca.vertsplit(values["angle"], edges)]
+
+
+def _arc_ends(
+    problem: Problem, rods: list[RodDiscretisation], values: Mapping[str, SX], parameters: SX
+) -> tuple[list[SX], list[SX]]:
+    """The same where no load bends the rods: every section is an arc."""
+    joints = np.cumsum([0, *(rod.body.sections for rod in rods)]).tolist()
+    names = parameter_names(problem.equations)
+    endings = [f".{k + 1}" for k in range(len(rods))] if problem.body.members else [""]
+    lengths = [parameters[names.index(f"section_length{end}")] for end in endings]
+    parts = (
+        ca.vertsplit(values[name], joints) for name in ("intrinsic_curvature", "intrinsic_stretch")
+    )
+    each = [_arcs(*own) for own in zip(lengths, *parts, strict=True)]
+    return [ends for ends, _ in each], [angle for _, angle in each]
+
+
+def _arcs(length: SX, curvatures: SX, stretches: SX) -> tuple[SX, SX]:
+    """Ends of the arcs of a rod, one after the other, and the angle of the last."""
     x, z, angle = SX(0), SX(0), SX(0)
-    curvatures, stretches = values["intrinsic_curvature"], values["intrinsic_stretch"]
     ends = []
     for curvature, stretch in zip(ca.vertsplit(curvatures), ca.vertsplit(stretches), strict=True):
         half = curvature * length / 2

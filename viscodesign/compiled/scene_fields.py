@@ -11,7 +11,6 @@ from viscodesign.compiled.free_number import Bounds
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.network import TubeChange
 from viscodesign.scene.reading.field_lookup import quantity_of
-from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import KeyPath, SpecPart
 from viscodesign.units import QuantityKind
 
@@ -109,8 +108,8 @@ def value_at(value: Any, path: KeyPath) -> Any:
     return value
 
 
-def is_given(scene: Scene, path: KeyPath) -> bool:
-    """Whether a scene has a value at a place."""
+def is_given(scene: SpecPart, path: KeyPath) -> bool:
+    """Whether a spec has a value at a place."""
     try:
         return value_at(scene, path) is not None
     except LookupError:

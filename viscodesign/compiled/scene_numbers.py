@@ -8,7 +8,7 @@ import numpy as np
 
 from viscodesign.compiled.branch import Branch, NumberSlopes, Stuck
 from viscodesign.compiled.branch import ProblemNumbers as ProblemNumbers
-from viscodesign.compiled.free_keys import FreeKeys
+from viscodesign.compiled.free_keys import SceneKeys
 from viscodesign.compiled.problem_trace import CORNERS, FrozenParts, ProblemTrace, traced
 from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import catalogue
@@ -52,12 +52,11 @@ class SceneNumbers:
         quantities: SceneQuantities,
         effects: Sequence[Effect],
         settings: Settings,
-        free: Sequence[str],
+        keys: SceneKeys,
         *,
-        one_period: bool = False,
         keeps_unused: bool = False,
     ) -> None:
-        self.keys = FreeKeys(quantities.scene, free, one_period=one_period)
+        self.keys = keys
         self.names = self.keys.names
         self.values = self.keys.values
         """(f,) The scene's own numbers [SI]."""

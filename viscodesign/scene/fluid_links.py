@@ -73,6 +73,12 @@ class LinkedGroup:
         return tuple(own.name for own in self.actuators)
 
     @property
+    def junctions(self) -> tuple[str, ...]:
+        """The nodes between actuators that are no inputs."""
+        ends = dict.fromkeys(end for tube in self.shared for end in (tube.start, tube.end))
+        return tuple(n for n in ends if n not in self.inputs and owner_of(n, self.names) is None)
+
+    @property
     def shared(self) -> tuple[LinkedTube, ...]:
         """The tubes between actuators."""
         return tuple(tube for tube in self.tubes if tube.owner is None)
@@ -128,6 +134,13 @@ def linked_groups(scene: SeveralScene) -> list[LinkedGroup]:
 def whole_group(scene: SeveralScene) -> LinkedGroup:
     """All actuators as one group, also those that share no fluid: what a pump has to feed."""
     return _group(scene, list(scene.actuators), scene.tubes or ())
+
+
+def regrouped(group: LinkedGroup, scene: SeveralScene) -> LinkedGroup:
+    """The same group in a spec that differs in numbers alone."""
+    ends = {(tube.start, tube.end) for tube in group.shared}
+    tubes = [tube for tube in scene.tubes or () if (tube.start, tube.end) in ends]
+    return _group(scene, group.names, tubes)
 
 
 def lost_nodes(scene: SeveralScene) -> list[str]:

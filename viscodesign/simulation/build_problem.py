@@ -63,7 +63,7 @@ def suggest_settings(quantities: SceneQuantities, effects: Sequence[Effect]) -> 
 def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Settings) -> Problem:
     """Assemble the system, let every effect join it, and formulate its equations."""
     scene = quantities.scene
-    rod = _kind_of(quantities.body)(quantities.body, settings.edges_per_section)
+    rod = rod_of(quantities.body, settings.edges_per_section)
     system = assemble(quantities, effects, rod, resolvable_body(quantities))
     system.wide = wide_tubes(quantities)
     equations = formulate(system, sizes_of(quantities))
@@ -88,6 +88,11 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
         flow_shares=_flow_shares(quantities, equations.network_form),
         junctions=quantities.graph.junctions,
     )
+
+
+def rod_of(body: Body, edges_per_section: int) -> RodDiscretisation:
+    """The rod of a body, or of several side by side, on a mesh."""
+    return _kind_of(body)(body, edges_per_section)
 
 
 def _kind_of(body: Body) -> type[RodDiscretisation]:

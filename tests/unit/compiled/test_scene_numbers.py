@@ -16,7 +16,7 @@ from tests.free_numbers import SHARED, Case, assert_equal, assert_slopes, of_bui
 from tests.scenes import CONFIGS, leg
 from tests.thorough import configs
 from viscodesign import load
-from viscodesign.compiled.free_keys import candidates
+from viscodesign.compiled.free_keys import FreeKeys, candidates
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
 from viscodesign.effects.base import Effect
 from viscodesign.errors import SpecError
@@ -338,7 +338,7 @@ class RigidTipSpring(TipSpring):
 def with_effect(kind: type[Effect], *free: str) -> SceneNumbers:
     here = small()
     chosen = [*here.effects(here.quantities), kind.of(here.quantities)]
-    return SceneNumbers(here.quantities, chosen, here.settings, free)
+    return SceneNumbers(here.quantities, chosen, here.settings, FreeKeys(here.scene, free))
 
 
 def test_a_new_effect_brings_its_own_parameters() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import SWING_END, SmoothInput
+from viscodesign.scene.spec_part import copied
 from viscodesign.storage.distinct import distinct
 from viscodesign.units import Pressure, PressureLevel, Time
 
@@ -45,7 +46,7 @@ class DoubleSigmoidInput(SmoothInput):
 
     def later(self, delay: float) -> DoubleSigmoidInput:
         times = {"fall_time": self.fall_time + delay, "rise_time": self.rise_time + delay}
-        return self.model_copy(update=times)
+        return copied(self, times)
 
     def corners(self, duration: float) -> list[float]:
         """Where each transition begins: a solver with large steps could skip it."""

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from viscodesign.scene.inputs.base import SmoothInput, points_of, shortest_swing
-from viscodesign.scene.spec_part import invalid_at
+from viscodesign.scene.spec_part import copied, invalid_at
 from viscodesign.units import Pressure, PressureLevel, Time
 
 MOST_HARMONICS = 12
@@ -78,8 +78,8 @@ class HarmonicsInput(SmoothInput):
             sine * np.cos(turn) + cosine * np.sin(turn),
         )
         names = ("cosine", "sine")
-        return self.model_copy(
-            update={name: tuple(own.tolist()) for name, own in zip(names, found, strict=True)}
+        return copied(
+            self, {name: tuple(own.tolist()) for name, own in zip(names, found, strict=True)}
         )
 
     def corners(self, duration: float) -> list[float]:

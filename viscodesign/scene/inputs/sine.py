@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from viscodesign.scene.inputs.base import SWING_START, SmoothInput
+from viscodesign.scene.spec_part import copied
 from viscodesign.units import Angle, Frequency, Pressure, PressureLevel
 
 
@@ -37,7 +38,7 @@ class SineInput(SmoothInput):
         return self.mean, self.amplitude, 2 * math.pi * self.frequency, self.phase
 
     def later(self, delay: float) -> SineInput:
-        return self.model_copy(update={"phase": self.phase - 2 * math.pi * self.frequency * delay})
+        return copied(self, {"phase": self.phase - 2 * math.pi * self.frequency * delay})
 
     def corners(self, duration: float) -> list[float]:
         return []

@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from viscodesign.scene.inputs.base import PiecewiseLinear
-from viscodesign.scene.spec_part import KeyFault, raise_faults
+from viscodesign.scene.spec_part import KeyFault, copied, raise_faults
 from viscodesign.scene.table_file import FromFile, check_rows, time_faults, with_rows
 from viscodesign.scene.tables.columns import WantedColumn
 from viscodesign.units import Length, Speed, Time, Volume
@@ -74,7 +74,7 @@ class SyringeInput(PiecewiseLinear, FromFile):
     def shared_by(self, count: int) -> SyringeInput:
         """A barrel of an even part of its section, dead volume and cushion, pushed as far."""
         part = {"dead_volume": self.dead_volume / count, "cushion": self.cushion / count}
-        return self.model_copy(update={"diameter": self.diameter / math.sqrt(count), **part})
+        return copied(self, {"diameter": self.diameter / math.sqrt(count), **part})
 
     @property
     def area(self) -> float:
