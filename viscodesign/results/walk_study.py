@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, field
 from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
@@ -73,6 +73,13 @@ class WalkStudy:
     """The steps that were tried, each half of the one before [s]."""
     advances_by_step_m: tuple[float, ...]
     """How far the body came in the last cycle, by step."""
+    advances_by_cycle_m: tuple[float, ...]
+    """How far it came in every whole cycle, with the smallest step."""
+    body_path_error_m: float
+    """Largest distance of the body's paths with the last two steps, over the whole run: the error
+    of the finer one, which is of first order on the ground. NaN where there is only one."""
+    feet_path_error_m: float
+    """The same of the foot that is farthest."""
     step_halving_change: float
     """Change of the advance per cycle by the last halving of the step, relative to it."""
     cycle_change: float
@@ -92,6 +99,8 @@ class WalkStudy:
     """Processor time of the solution with the smallest step [s]."""
     total_s: float
     """That of all [s]."""
+    provenance: dict[str, Any] = field(default_factory=provenance)
+    """What it was computed with."""
 
     def __repr__(self) -> str:
         if self.refusal:
@@ -137,17 +146,19 @@ class WalkStudy:
             "pump_volume_m3": self.pump_volume_m3,
             "pump_run_volume_m3": self.pump_run_volume_m3,
             "pump_flow_m3_s": max(pump.flow_m3_s for pump in self.pumps.values()),
+            "body_path_error_m": self.body_path_error_m,
+            "feet_path_error_m": self.feet_path_error_m,
             "step_halving_change": self.step_halving_change,
             "cycle_change": self.cycle_change,
             "steps_s": list(self.steps_s),
             "advances_by_step_m": list(self.advances_by_step_m),
-            "advances_by_cycle_m": self.motion.advances.tolist(),
+            "advances_by_cycle_m": list(self.advances_by_cycle_m),
             "pumps": {name: asdict(pump) for name, pump in self.pumps.items()},
             "feet": {name: asdict(foot) for name, foot in self.feet.items()},
             "invariants": asdict(self.invariants),
             "energy": asdict(self.energy),
             "warnings": [asdict(notice) for notice in self.warnings],
             "cost": {"solve_cpu_s": self.solve_cpu_s, "total_s": self.total_s},
-            "provenance": provenance(),
+            "provenance": self.provenance,
         })  # fmt: skip
         return found

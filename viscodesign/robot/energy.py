@@ -93,7 +93,8 @@ class GaitEnergyLedger:
         slips = moved @ model.contact_rows[count:].T
         kinetic = np.diff(velocities**2 @ model.masses) / 2
         gained = kinetic - moved @ model.weights
-        stopped = faster**2 @ model.masses / 2
+        falls = np.array([own.fall for own in steps])
+        stopped = faster * (faster - falls) @ model.masses / 2
         stopped_normal = np.sum(
             forces[:, :count] * np.array([model.gaps(p) for p in places[:-1]]), 1
         )

@@ -1,5 +1,8 @@
 """One step through time: implicit Euler, with contact at the end of the step.
 
+In flight, between steps at whose ends no foot touches the ground, that is the motion in a frame
+that falls along: the centre of mass keeps to its parabola exactly.
+
 Gaps and slips are those of the end of the step, not their rates: nothing drifts into the ground.
 The bodies' coordinates, the legs' loads and pressures and the contact forces are solved together
 by Newton's method; each of its steps solves the contacts of the linearised robot exactly.
@@ -14,7 +17,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import ContactError, FrictionProblem, States
+from viscodesign.contact.friction_problem import OPEN, ContactError, FrictionProblem, States
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.robot.leg_equations import LOAD
@@ -94,6 +97,12 @@ class Step:
     """Gauge pressures of the sources as it begins (S,) [Pa]."""
     end: np.ndarray
 
+    @property
+    def fall(self) -> np.ndarray:
+        """Velocity that gravity gives everything in flight, by which no energy is lost (size,)."""
+        is_flight = is_in_air(self.begun) and is_in_air(self.after)
+        return np.asarray(2 / self.solver.step * self.solver.fall * is_flight)
+
     def gas_imbalance(self) -> float:
         """As `StepSolver.gas_imbalance`."""
         return self.solver.gas_imbalance(self.begun, self.after, self.end)
@@ -109,11 +118,22 @@ class StepSolver:
         self._inertia = np.diag(model.masses / step**2)
         self._lengths = np.ones(model.size)
         self._lengths[[2, 3, *range(BODY + 2, model.size, FOOT)]] = ROTATION_LENGTH
+        self.fall = step**2 / 2 * model.weights / model.masses
+        """Way of everything that falls from rest in a step (size,) [m]."""
         self.iterations = 0
         """Newton steps so far."""
 
     def advance(self, now: RobotState, sources: np.ndarray) -> RobotState:
         """The state a step later; ``sources``: their gauge pressures then [Pa]."""
+        if is_in_air(now):
+            found = self._advanced(now, sources, in_flight=True)
+            if is_in_air(found):
+                return found
+        return self._advanced(now, sources, in_flight=False)
+
+    def _advanced(self, now: RobotState, sources: np.ndarray, *, in_flight: bool) -> RobotState:
+        """The same, in a frame that falls along or in that of the ground."""
+        fall = self.fall if in_flight else np.zeros(self.model.size)
         begun = tuple(self._begun(own) for own in now.legs)
         place, legs = self._expected(now, begun)
         states, pressures = now.contact_states, [sources[g.sources][:, None] for g in self.groups]
@@ -125,7 +145,7 @@ class StepSolver:
                     self.groups, legs, begun, pressures, strict=True
                 )
             ]
-            change, forces, states = self._contact_step(now, place, around, states)
+            change, forces, states = self._contact_step(now, place, around, states, fall)
             place = place + change
             steps = [
                 own.own + (own.own_by_place @ change[group.places][:, :, None])[:, :, 0]
@@ -133,7 +153,7 @@ class StepSolver:
             ]
             legs = tuple(_moved(own, step) for own, step in zip(legs, steps, strict=True))
             if self._is_done(change, steps):
-                return self._after(now, begun, place, legs, sources, forces, states)
+                return self._after(now, begun, place, legs, sources, forces, states, fall)
         raise SolveError(
             "the step does not converge",
             quantity="place",
@@ -196,12 +216,14 @@ class StepSolver:
         place: np.ndarray,
         around: Sequence[LinearisedLegs],
         guess: States,
+        fall: np.ndarray,
     ) -> tuple[np.ndarray, np.ndarray, States]:
         """Newton's step of the place, with the contact forces and states that go with it."""
         model, rows = self.model, self.model.contact_rows
         force, stiffness = model.assembled(around)
         moved = place - now.place
-        inertial = model.masses * (moved / self.step - now.velocity) / self.step
+        faster = (moved + fall) / self.step - now.velocity
+        inertial = model.masses * faster / self.step
         right = np.column_stack([model.weights - inertial - force, rows.T])
         solved = np.linalg.solve(self._inertia + stiffness, right)
         free = rows @ solved[:, 0]
@@ -231,6 +253,7 @@ class StepSolver:
         sources: np.ndarray,
         forces: np.ndarray,
         states: States,
+        fall: np.ndarray,
     ) -> RobotState:
         """The state at the end of the step: contents are what was there and what flowed in."""
         drawn, after = now.drawn.copy(), []
@@ -241,7 +264,7 @@ class StepSolver:
             after.append(LegStates(own.load, own.pressure, strains, content, inflow))
             mean = IMPLICITNESS * inflow + (1 - IMPLICITNESS) * before.inflow
             np.add.at(drawn, group.sources, self.step * mean[:, -1])
-        velocity = (place - now.place) / self.step
+        velocity = (place - now.place + fall) / self.step
         changes = tuple(
             np.hstack([own.load - older.load, own.pressure - older.pressure])
             for own, older in zip(after, now.legs, strict=True)
@@ -250,6 +273,11 @@ class StepSolver:
         return RobotState(
             now.time + self.step, place, velocity, tuple(after), forces, states, drawn, trend
         )
+
+
+def is_in_air(state: RobotState) -> bool:
+    """Whether no foot touches the ground."""
+    return all(contact == OPEN for contact in state.contact_states)
 
 
 def _moved(legs: LegStates, step: np.ndarray) -> LegStates:

@@ -21,7 +21,7 @@ from viscodesign.robot.gait_warnings import emptied, gait_warnings
 from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.march import Progress, RecordedWalk, StepPlan, march
 from viscodesign.robot.robot_model import RobotModel
-from viscodesign.robot.stance import UnstableStanceError, set_down, stance
+from viscodesign.robot.stance import Stance, UnstableStanceError, set_down, stance
 from viscodesign.robot.stated_speed import STEPS, refusal, relative_change
 from viscodesign.robot.time_step import RobotState
 from viscodesign.robot.vacuum import refuse_sources_in_vacuum
@@ -143,6 +143,24 @@ def step_change(levels: Sequence[_Level], body_length: float) -> float:
     return relative_change(before, last, body_length)
 
 
+def path_errors(levels: Sequence[_Level]) -> tuple[float, float]:
+    """Largest distance of the paths of body and feet with the last two steps [m]; else NaN.
+
+    What halving the step moves a path by is the error that a solution of first order has left.
+    """
+    if len(levels) < 2:
+        return math.nan, math.nan
+    coarse, fine = (level.recording.motion for level in levels[-2:])
+    count = min(len(coarse.time), (len(fine.time) + 1) // 2)
+    same = slice(0, 2 * count - 1, 2)
+    body = coarse.body[:count, :2] - fine.body[same, :2]
+    feet = coarse.feet[:count, :, :2] - fine.feet[same, :, :2]
+    body_error, feet_error = (
+        float(np.max(np.hypot(*np.moveaxis(own, -1, 0)))) for own in (body, feet)
+    )
+    return body_error, feet_error
+
+
 def start_state(scene: RobotScene, model: RobotModel) -> RobotState:
     """A robot that stands, or that is held above the ground and let go."""
     pressures, sources = start_pressures(scene), len(model.source_names)
@@ -153,31 +171,41 @@ def start_state(scene: RobotScene, model: RobotModel) -> RobotState:
         still, contacts = np.zeros(model.size), np.zeros(2 * model.count)
         states = (OPEN,) * model.count
         return RobotState(0.0, place, still, legs, contacts, states, np.zeros(sources))
+    return standing(scene, model, pressures, "at the start").state(sources)
+
+
+def standing(scene: RobotScene, model: RobotModel, pressures: np.ndarray, when: str) -> Stance:
+    """The stable stance at gauge pressures of the sources [Pa]; ``when``: that is, in words.
+
+    Raises `UnstableStanceError` where there is none, and says how the robot falls.
+    """
     if (fall := slide(model)) is not None:
-        raise _falls(scene, fall)
+        raise _falls(scene, fall, when)
     try:
         found = stance(model, pressures)
     except UnstableStanceError:
-        raise _sway(scene, model, pressures) from None
+        raise _sway(scene, model, pressures, when) from None
     if not found.is_stable:
-        raise _sway(scene, model, pressures)
-    return found.state(sources)
+        raise _sway(scene, model, pressures, when)
+    return found
 
 
-def _falls(scene: RobotScene, fall: Fall) -> UnstableStanceError:
+def _falls(scene: RobotScene, fall: Fall, when: str) -> UnstableStanceError:
     return UnstableStanceError(
-        f"{scene.name}: the robot {fall.how} at the start: {fall.why}",
+        f"{scene.name}: the robot {fall.how} {when}: {fall.why}",
         quantity="place",
         where="stance",
         time_s=0.0,
     )
 
 
-def _sway(scene: RobotScene, model: RobotModel, pressures: np.ndarray) -> UnstableStanceError:
+def _sway(
+    scene: RobotScene, model: RobotModel, pressures: np.ndarray, when: str
+) -> UnstableStanceError:
     if (fall := tip_over(model, pressures)) is not None:
-        return _falls(scene, fall)
+        return _falls(scene, fall, when)
     return UnstableStanceError(
-        f"{scene.name}: the robot sways on its legs at the start, under its weight of "
+        f"{scene.name}: the robot sways on its legs {when}, under its weight of "
         f"{model.weight:.4g} N",
         quantity="place",
         where="stance",
@@ -227,6 +255,7 @@ def _study(
 ) -> WalkStudy:
     last = levels[-1]
     motion, length = last.recording.motion, scene.robot.body_length
+    body_error, feet_error = path_errors(levels)
     before, after = ([math.nan, math.nan, *motion.advances.tolist()])[-2:]
     study = WalkStudy(
         name=scene.name,
@@ -234,6 +263,9 @@ def _study(
         motion=motion,
         steps_s=tuple(level.recording.motion.step for level in levels),
         advances_by_step_m=tuple(level.advance for level in levels),
+        advances_by_cycle_m=tuple(motion.advances.tolist()),
+        body_path_error_m=body_error,
+        feet_path_error_m=feet_error,
         step_halving_change=step_change(levels, length),
         cycle_change=relative_change(before, after, length),
         refusal="",

@@ -20,9 +20,12 @@ from viscodesign.cli.texts.walk_text import walk_lines
 from viscodesign.cli.walk import no_speed
 from viscodesign.errors import SolveError
 from viscodesign.report.film.walk_film import write_walk_film
+from viscodesign.report.page.gait_page import gait_data
 from viscodesign.report.picture_options import picture_options
+from viscodesign.report.read_gait import read_gait
 from viscodesign.report.walk_folder import write_walk
 from viscodesign.robot.build_robot import build_robot
+from viscodesign.robot.energy import GaitEnergyLedger
 from viscodesign.robot.gait_numbers import pump_uses
 from viscodesign.robot.leg_design import leg_design
 from viscodesign.robot.leg_equations import leg_functions
@@ -31,7 +34,7 @@ from viscodesign.robot.robot_check import check_robot
 from viscodesign.robot.robot_model import Feet, LegGroup, RigidBody, RobotModel
 from viscodesign.robot.stance import set_down
 from viscodesign.robot.stated_speed import refusal
-from viscodesign.robot.time_step import RobotState, StepSolver
+from viscodesign.robot.time_step import RobotState, Step, StepSolver
 from viscodesign.robot.walk import start_state
 from viscodesign.scene.robot import RobotPump
 
@@ -171,6 +174,33 @@ def test_a_robot_that_is_dropped_comes_to_stand() -> None:
     assert np.max(np.abs(state.velocity[:4])) < 1e-4  # gas still settles
 
 
+def test_a_robot_in_flight_keeps_to_its_parabola() -> None:
+    """Whatever the step; the energy that it gains is what its weight does."""
+    scene = hexapod("robot.hip_height=400 mm")
+    model, pressures = build_robot(scene), np.full(2, scene.gauge_pressure)
+    for step in (0.05, 0.02):
+        state, solver = start_state(scene, model), StepSolver(model, step)
+        ledger, high = GaitEnergyLedger(model), float(np.mean(model.hip_heights(state.place)))
+        for _ in range(round(0.2 / step)):
+            after = solver.advance(state, pressures)
+            ledger.add(Step(solver, state, after, pressures, pressures))
+            state = after
+        fallen = high - float(np.mean(model.hip_heights(state.place)))
+        assert fallen == pytest.approx(9.80665 * 0.2**2 / 2, rel=1e-9)
+        assert state.velocity[1] == pytest.approx(9.80665 * 0.2, rel=1e-9)
+        found = ledger.balance(0.0)
+        assert abs(found.loss_j["steps"]) < 1e-9 * model.weight * fallen
+
+
+def test_the_error_of_paths_is_that_of_halving_the_step(study: WalkStudy) -> None:
+    """The next halving moves them by about half as much: the order is one."""
+    assert 0.0 < study.body_path_error_m < 5e-3
+    assert study.body_path_error_m <= study.feet_path_error_m < 5e-3
+    assert f"body's path within {1e3 * study.body_path_error_m:.3g} mm" in "\n".join(
+        walk_lines(study, Path("out"), [])
+    )
+
+
 def test_a_leg_with_gas_moves_as_simulate_moves_it() -> None:
     """One weightless foot in the air below a body that nothing moves."""
     scene = leg(
@@ -305,7 +335,7 @@ def test_a_robot_that_sways_does_not_start() -> None:
 
 def test_files_of_a_gait(study: WalkStudy, tmp_path: Path) -> None:
     files = write_walk(study, tmp_path / "out", pictures=picture_options("svg", "paper"))
-    tables = {"walk.csv", "summary.json", "spec.yaml"}
+    tables = {"walk.csv", "legs.csv", "summary.json", "spec.yaml"}
     assert {file.name for file in files} == {*tables, "report.html", "walk.svg"}
     table = np.genfromtxt(tmp_path / "out" / "walk.csv", delimiter=",", names=True)
     assert table.dtype.names is not None
@@ -324,6 +354,27 @@ def test_files_of_a_gait(study: WalkStudy, tmp_path: Path) -> None:
     assert again.robot == hexapod().robot
     film = write_walk_film(study, tmp_path / "walk.gif", frames_per_second=1, speed=2.5, width=320)
     assert film.read_bytes()[:3] == b"GIF"
+
+
+def test_a_gait_is_drawn_again_from_its_files(
+    study: WalkStudy, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_walk(study, tmp_path, plots=False)
+    page = (tmp_path / "report.html").read_text()
+    found = read_gait(tmp_path)
+    assert gait_data(found) == gait_data(study)
+    assert json.dumps(found.document()) == json.dumps(study.document())
+    (tmp_path / "report.html").unlink()
+    film = str(tmp_path / "walk.gif")
+    words = ["--film", film, "--fps", "1", "--speed", "5", "--width", "320"]
+    assert main(["report", str(tmp_path), *words, "--pictures"]) == 0
+    assert capsys.readouterr().out.split() == [
+        str(tmp_path / name) for name in ("report.html", "walk.png", "walk.gif")
+    ]
+    assert (tmp_path / "report.html").read_text() == page
+    (tmp_path / "legs.csv").write_text("time_s\n0\n")
+    assert main(["report", str(tmp_path)]) == 2
+    assert "do not fit together" in capsys.readouterr().err
 
 
 def test_drawn_legs_reach_from_hip_to_foot(study: WalkStudy) -> None:
@@ -356,6 +407,23 @@ def test_simulate_walks_and_keeps_a_gait_without_speed(
     assert document["status"] == "refused"
     assert "not periodic yet" in err
     assert (tmp_path / "walk.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("override", "told"),
+    [
+        ("robot.payload=9 kg", "its legs bear 82"),
+        ("robot.foot.friction=0", "slides: without friction"),
+        ("inputs.A.phase=90 deg", "sways from 82"),
+    ],
+)
+def test_a_check_says_whether_it_stands(
+    override: str, told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["check", "configs/hexapod.yaml", "--set", override]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert told in out
+    assert ("no_stance" in out) == ("sways" not in told)
 
 
 @pytest.mark.parametrize("command", ["check", "classify"])

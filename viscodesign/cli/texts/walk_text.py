@@ -16,7 +16,7 @@ def walk_lines(study: WalkStudy, folder: Path, files: Sequence[Path]) -> list[st
     motion = study.motion
     warnings = notice_lines(study.warnings)
     return [
-        f"{study.name}: {len(motion.advances)} cycles of {number(motion.period, 's')}",
+        f"{study.name}: {len(study.advances_by_cycle_m)} cycles of {number(motion.period, 's')}",
         *table(list(_facts(study))),
         "",
         *table(list(_feet(study))),
@@ -35,6 +35,8 @@ def _facts(study: WalkStudy) -> Iterator[tuple[str, str]]:
     change, cycle = (number(1e2 * v, "%") for v in (study.step_halving_change, study.cycle_change))
     step = number(1e3 * study.steps_s[-1], "ms")
     yield "step", f"{step}; halving it moved the advance by {change}, the last cycle by {cycle}"
+    body, feet = (number(1e3 * v, "mm") for v in (study.body_path_error_m, study.feet_path_error_m))
+    yield "error", f"body's path within {body}, feet's within {feet}, by halving the step"
     for name, pump in study.pumps.items():
         last, whole = (number(1e6 * v, "mL") for v in (pump.volume_m3, pump.run_volume_m3))
         asked = (

@@ -63,8 +63,8 @@ def _words(study: WalkStudy) -> str:
 
 
 def _last_cycles(motion: RobotMotion) -> slice:
-    shown_steps = SHOWN_CYCLES * motion.steps_per_cycle
-    return slice(max(len(motion.time) - 1 - shown_steps, 0), None)
+    begin = motion.time[-1] - SHOWN_CYCLES * motion.period * (1 + 1e-9)
+    return slice(int(np.searchsorted(motion.time, begin)), None)
 
 
 def _advance(axes: Axes, motion: RobotMotion, rows: slice) -> None:

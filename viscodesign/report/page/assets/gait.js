@@ -81,7 +81,8 @@ function showSteps(summary, percent) {
   const found = summary.invariants;
   byId("steps").append(table(["step", "advance in the last cycle"], summary.steps_s.map((step, k) =>
     [`${shortNumber(1e3 * step, 3)} ms`, millimetres(summary.advances_by_step_m[k])]), { label: "steps" }),
-    element("p", {}, `Halving the step moved the advance by ${percent(summary.step_halving_change)}.`),
+    element("p", {}, `Halving the step moved the advance by ${percent(summary.step_halving_change)}${summary.body_path_error_m === null ? ""
+      : `, the body's path by at most ${millimetres(summary.body_path_error_m)} and the feet's by ${millimetres(summary.feet_path_error_m)}`}.`),
     table(["balance", "largest that was found"], [
       ["feet inside the ground", `${shortNumber(1e6 * found.worst_penetration_m, 2)} µm`], ["gap times force", `${shortNumber(found.worst_gap_force_n_m, 2)} N m`],
       ["friction beyond its cone", `${shortNumber(found.worst_cone_excess_n, 2)} N`], ["momentum", `${shortNumber(found.force_imbalance_rel, 2)} of the weight`],
