@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from viscodesign.comparison.compare import compare as compare
     from viscodesign.compiled.function import Batch as Batch
     from viscodesign.compiled.function import CompiledFunction as CompiledFunction
-    from viscodesign.compiled.function import compile as compile
+    from viscodesign.compiled.several import CompiledActuators as CompiledActuators
     from viscodesign.errors import SpecError as SpecError
     from viscodesign.errors import ViscodesignError as ViscodesignError
     from viscodesign.exploration.check import check as check
@@ -67,6 +67,8 @@ if TYPE_CHECKING:
     from viscodesign.results.trajectory import RunInterruptedError as RunInterruptedError
     from viscodesign.results.trajectory import Trajectory as Trajectory
     from viscodesign.results.walk_study import WalkStudy as WalkStudy
+    from viscodesign.robot.compile import compile as compile
+    from viscodesign.robot.compiled_robot import CompiledRobot as CompiledRobot
     from viscodesign.robot.stand import stand as stand
     from viscodesign.robot.walk import walk as walk
     from viscodesign.scene.robot_scene import RobotScene as RobotScene
@@ -82,7 +84,9 @@ _HOMES = {
     "Classification": ".results.findings",
     "Comparison": ".results.run_comparison",
     "ComparisonInterruptedError": ".results.run_comparison",
+    "CompiledActuators": ".compiled.several",
     "CompiledFunction": ".compiled.function",
+    "CompiledRobot": ".robot.compiled_robot",
     "Fit": ".results.fit_result",
     "PathDesign": ".results.path_design",
     "ReachStudy": ".results.reach_study",
@@ -108,7 +112,7 @@ _HOMES = {
     "simulate_several": ".exploration.simulate_several",
     "classify": ".checks.classify",
     "compare": ".comparison.compare",
-    "compile": ".compiled.function",
+    "compile": ".robot.compile",
     "design": ".inverse.design",
     "fit": ".calibration.fit",
     "load": ".loading",

@@ -62,12 +62,18 @@ def start_pressures(scene: RobotScene) -> np.ndarray:
     return scene.gauge_pressure + np.array(values)
 
 
+def body_masses(robot: Robot) -> tuple[float, float]:
+    """Mass of all but the feet, with the payload and without it [kg]."""
+    bare = robot.mass - len(robot.legs) * robot.foot.mass
+    return bare + robot.payload, bare
+
+
 def _body(robot: Robot) -> RigidBody:
     """An even slab between the hips, with the payload at its centre of mass."""
-    mass = robot.mass - len(robot.legs) * robot.foot.mass
+    loaded, mass = body_masses(robot)
     across = [leg.y for leg in robot.legs.values()]
     width = max(max(across) - min(across), LEAST_WIDTH_RATIO * robot.body_length)
-    return RigidBody(mass + robot.payload, mass * robot.body_length**2 / 12, mass * width**2 / 12)
+    return RigidBody(loaded, mass * robot.body_length**2 / 12, mass * width**2 / 12)
 
 
 def _group(scene: RobotScene, actuator: str, names: tuple[str, ...]) -> LegGroup:
@@ -78,12 +84,12 @@ def _group(scene: RobotScene, actuator: str, names: tuple[str, ...]) -> LegGroup
     return LegGroup(
         leg_functions(design),
         np.array(own),
-        np.array([_mount(robot, leg) for leg in legs]),
+        np.array([mount_of(robot, leg) for leg in legs]),
         np.array([sources.index(leg.source) for leg in legs]),
     )
 
 
-def _mount(robot: Robot, leg: RobotLeg) -> list[float]:
+def mount_of(robot: Robot, leg: RobotLeg) -> list[float]:
     """Hip from the centre of mass, tilt and lean."""
     centre = robot.centre_of_mass
     return [leg.x - centre.x, leg.y - centre.y, -centre.below_hips, leg.tilt, leg.lean]

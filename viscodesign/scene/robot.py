@@ -55,7 +55,7 @@ class RobotLeg(SpecPart):
     @property
     def tilt(self) -> float:
         """Its splay, positive to the right [rad]."""
-        return math.copysign(self.splay, self.splay * self.y) if self.splay else 0.0
+        return self.splay if self.y >= 0.0 else -self.splay
 
 
 class RobotFoot(SpecPart):
