@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -61,7 +62,10 @@ def _robot_result(scene: RobotScene, *, silent: bool) -> SpecResult:
     from viscodesign.robot.robot_check import check_robot
 
     found = check_robot(scene)
-    head = f"{found.name}: {found.legs} legs, {found.weight_n:.4g} N"
+    limit = found.sway_limit_n
+    sways = f"; sways from {limit:.4g} N on, at the spec's gauge pressure"
+    known = sways if 0.0 < limit < math.inf else ""
+    head = f"{found.name}: {found.legs} legs, {found.weight_n:.4g} N{known}"
     warnings = full_notice_lines(found.warnings)
     of_body = ["warnings", *warnings] if warnings else []
     designs = (line for own in found.designs.items() for line in _design_lines(*own))

@@ -32,6 +32,13 @@ Examples:
   viscodesign stand hexapod.yaml --set robot.payload=500g --crouch 0.85"""
 
 
+class CrouchNotMetError(ViscodesignError):
+    """A crouch that was asked for is out of reach; the tables are on disk."""
+
+    exit_code = 3
+    kind = "solve"
+
+
 class SwayError(ViscodesignError):
     """The robot is heavier than its legs bear, slides or tips over; its tables are on disk."""
 
@@ -64,7 +71,8 @@ def command(
 
     Height, sway limit and stiffness against gauge pressure and payload, and the
     barrel that a crouch needs; writes stand.csv, stand.json and stand.png. A robot
-    that is heavier than its legs bear, slides or tips over exits with 3 and says why.
+    that is heavier than its legs bear, slides or tips over exits with 3 and says why, and
+    so does a --crouch out of reach.
     """
     pictures = picture_options(picture_format, style, width)
     from viscodesign import stand as study_of
@@ -82,6 +90,15 @@ def command(
     files = write_stand(study, folder, plots=not no_plots, force=force, pictures=pictures)
     say_result(study.document(), files, stand_lines(study, folder, files), json, quiet)
     _refuse_sway(study)
+    if crouch:
+        _refuse_crouch(study)
+
+
+def _refuse_crouch(study: StandStudy) -> None:
+    """Report a crouch that no pressure reaches as an error, after the files are written."""
+    told = [f"{1e2 * own.height_ratio:g} %: {own.reason}" for own in study.crouch if own.reason]
+    if told:
+        raise CrouchNotMetError(f"{study.name}: not met: no crouch to {'; nor to '.join(told)}")
 
 
 def _refuse_sway(study: StandStudy) -> None:

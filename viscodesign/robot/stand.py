@@ -46,7 +46,7 @@ def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) 
     if wrong := [ratio for ratio in height_ratios if not 0.0 < ratio < 1.0]:
         raise UsageError(f"crouch: a height ratio is above 0 and below 1; got {wrong[0]:g}")
     statics = _Statics(scene)
-    own = statics.row(scene.gauge_pressure, scene.robot.payload)
+    own = statics.own()
     largest = max(GAUGE_RANGE * scene.gauge_pressure, LEAST_LARGEST_GAUGE)
     room = max(own.sway_limit_n - statics.weight(0.0), 0.0) / statics.gravity
     crouch, pump = statics.crouches(own, height_ratios)
@@ -59,6 +59,16 @@ def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) 
         pump=pump,
         fall=None if own.stands else statics.fall(),
     )
+
+
+def own_stance(scene: RobotScene) -> tuple[StanceRow, Fall | None]:
+    """How a robot stands at its spec's gauge pressure and payload, and how it falls otherwise.
+
+    No fall where it stands, or sways under its weight.
+    """
+    statics = _Statics(scene)
+    own = statics.own()
+    return own, None if own.stands else statics.fall()
 
 
 class _Statics:
@@ -76,6 +86,10 @@ class _Statics:
         """How the robot falls at its own pressure, if not by its weight."""
         pressures = np.full(len(self.model.source_names), self.scene.gauge_pressure)
         return self._slide or tip_over(self.model, pressures)
+
+    def own(self) -> StanceRow:
+        """The row of the spec's gauge pressure and payload."""
+        return self.row(self.scene.gauge_pressure, self.scene.robot.payload)
 
     def weight(self, payload: float) -> float:
         """Weight of robot and payload [N]."""

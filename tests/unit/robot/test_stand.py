@@ -161,6 +161,16 @@ def test_a_crouch_that_is_too_deep_says_why() -> None:
     assert reached.gauge_pressure_pa > -81.1e3
 
 
+def test_a_crouch_out_of_reach_is_not_met(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["-o", str(tmp_path), "--no-plots", "-q", "--crouch"]
+    assert main(["stand", "configs/hexapod.yaml", *words, "0.9"]) == 0
+    assert main(["stand", "configs/hexapod.yaml", *words, "0.5"]) == 3
+    assert "not met: no crouch to 50 %" in capsys.readouterr().err
+    assert (tmp_path / "stand.json").exists()
+
+
 def test_the_command_prints_its_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["stand", "configs/hexapod.yaml", "-o", str(tmp_path)]) == 0
     text = capsys.readouterr().out

@@ -1,11 +1,13 @@
-"""`stand.png`: height, sway limit and stiffness of a robot against its gauge pressure."""
+"""`stand.png`: height, sway limit and stiffness of a robot by gauge pressure and by payload."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import (
     Target,
@@ -15,45 +17,83 @@ from viscodesign.report.layout.style import (
     shown,
     title_room,
 )
-from viscodesign.results.stand_study import StandStudy
+from viscodesign.results.stand_study import StanceRow, StandStudy
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, PANEL, HEIGHT, GAP, RIGHT, LEAST_PANEL = 0.7, 0.6, 2.4, 2.4, 0.75, 0.2, 1.4
+LEFT, BOTTOM, PANEL, HEIGHT, GAP, RIGHT, LEAST_PANEL = 0.7, 0.6, 2.4, 2.0, 0.75, 0.2, 1.4
 """All in inches; panels narrower than the least one stand one above the other."""
+QUANTITIES = (
+    ("height_m", 1e3, "height of the hips [mm]"),
+    ("sway_limit_n", 1.0, "weight that the legs bear [N]"),
+    ("tip_stiffness_n_per_m", 1.0, "stiffness of a tip across [N/m]"),
+)
+"""Of a row: its name, its factor to the unit of the picture, and the label."""
+BEARS = 1
+"""The panel of the weight that the legs bear."""
+
+
+@dataclass(frozen=True)
+class _Table:
+    """Rows of a study and what they go by."""
+
+    rows: Sequence[StanceRow]
+    name: str
+    factor: float
+    label: str
+
+    def along(self, row: StanceRow) -> float:
+        """Where a row is drawn."""
+        return self.factor * float(getattr(row, self.name))
 
 
 def draw_stand(study: StandStudy, path: Target) -> None:
-    """Three panels: height, the weight from which on it sways, stiffness of a leg's tip."""
+    """Height, the weight from which on it sways, and stiffness of a leg's tip.
+
+    Three panels by the gauge pressure of the legs, and three by payload.
+    """
     width = look().across(LEFT + 3 * PANEL + 2 * GAP + RIGHT)
     panel = (width - LEFT - 2 * GAP - RIGHT) / 3
-    places = [(LEFT + k * (panel + GAP), BOTTOM) for k in range(3)]
-    if panel < LEAST_PANEL:
+    tables = [_by_gauge(study), _by_payload(study)]
+    across = 3 if panel >= LEAST_PANEL else 1
+    if across == 1:
         panel = width - LEFT - RIGHT
-        places = [(LEFT, BOTTOM + k * (HEIGHT + BOTTOM)) for k in (2, 1, 0)]
-    with picture(path, width, places[0][1] + HEIGHT + title_room()) as made:
-        panels = [axes_at(made, *place, panel, HEIGHT) for place in places]
-        _curve(panels[0], study, "height_m", 1e3, "height of the hips [mm]")
-        _curve(panels[1], study, "sway_limit_n", 1.0, "weight that the legs bear [N]")
-        _curve(panels[2], study, "tip_stiffness_n_per_m", 1.0, "stiffness of a tip across [N/m]")
-        panels[1].axhline(study.own.weight_n, color=look().accent, lw=1.0, ls="--")
-        panels[1].annotate(
-            "weight", (1, study.own.weight_n), xycoords=("axes fraction", "data"),
-            ha="right", va="bottom", size=8, color=look().warning,
-        )  # fmt: skip
-        words = "how it stands, by the gauge pressure of its legs"
+    count = len(tables) * len(QUANTITIES)
+    high = count // across
+    step = HEIGHT + BOTTOM
+    with picture(path, width, high * step + title_room()) as made:
+        for k in range(count):
+            place = LEFT + k % across * (panel + GAP), BOTTOM + (high - 1 - k // across) * step
+            axes = axes_at(made, *place, panel, HEIGHT)
+            _curve(axes, study, tables[k // len(QUANTITIES)], k % len(QUANTITIES))
+        words = "how it stands, by the gauge pressure of its legs and by payload"
         draw_title(made, f"{shown(study.name, 60)}: {words}", LEFT)
 
 
-def _curve(axes: Axes, study: StandStudy, name: str, factor: float, label: str) -> None:
-    rows = sorted((*study.by_gauge, study.own), key=lambda row: row.gauge_pressure_pa)
-    gauge = np.array([1e-3 * row.gauge_pressure_pa for row in rows])
+def _by_gauge(study: StandStudy) -> _Table:
+    return _Table(study.by_gauge, "gauge_pressure_pa", 1e-3, "gauge pressure [kPa]")
+
+
+def _by_payload(study: StandStudy) -> _Table:
+    return _Table(study.by_payload, "payload_kg", 1e3, "payload [g]")
+
+
+def _curve(axes: Axes, study: StandStudy, table: _Table, k: int) -> None:
+    """A quantity of all rows, with the spec's own one marked."""
+    name, factor, label = QUANTITIES[k]
+    rows = sorted((*table.rows, study.own), key=table.along)
+    places = np.array([table.along(row) for row in rows])
     values = np.array([factor * getattr(row, name) for row in rows])
-    axes.axvline(1e-3 * study.own.gauge_pressure_pa, color=look().faint, lw=0.9)
-    axes.plot(gauge, values, color=look().ink, lw=1.6)
-    axes.plot(
-        1e-3 * study.own.gauge_pressure_pa, factor * getattr(study.own, name), "o", color=look().ink
-    )
+    own = table.along(study.own)
+    axes.axvline(own, color=look().faint, lw=0.9)
+    axes.plot(places, values, color=look().ink, lw=1.6)
+    axes.plot(own, factor * getattr(study.own, name), "o", color=look().ink)
+    if k == BEARS:
+        axes.plot(places, [row.weight_n for row in rows], color=look().accent, lw=1.0, ls="--")
+        axes.annotate(
+            "weight", (1, rows[-1].weight_n), xycoords=("axes fraction", "data"),
+            ha="right", va="bottom", size=8, color=look().warning,
+        )  # fmt: skip
     low = float(np.nanmin(values, initial=0.0))
-    axes.set(xlabel="gauge pressure [kPa]", ylabel=label, ylim=(low, None))
+    axes.set(xlabel=table.label, ylabel=label, ylim=(low, None))
