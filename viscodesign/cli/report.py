@@ -70,16 +70,13 @@ def command(
 ) -> None:
     """Write the page of a run again, its pictures, and a film of it.
 
-    Reads summary.json, spec.yaml, trajectory.csv and shape.csv, and solves nothing. With -o page
-    and pictures go to another folder. A film is dark with --style dark, else plain.
+    Reads summary.json, spec.yaml and the tables of a run, of several actuators, or of a robot's
+    gait, and solves nothing. With -o page and pictures go to another folder. A film is dark with
+    --style dark, else plain.
     """
     from viscodesign.cli.film_file import film_file, told_what_is_kept
     from viscodesign.cli.output import json_text, say
-    from viscodesign.report.film.film import write_film
-    from viscodesign.report.folder import PAGE, prepare_folder
-    from viscodesign.report.page.page import write_page
-    from viscodesign.report.read_run import read_run
-    from viscodesign.report.run_folder import draw_run
+    from viscodesign.report.saved_run import saved_run
 
     drawing = picture_options(picture_format, style, picture_width)
     options: dict[str, Any] = {
@@ -92,12 +89,12 @@ def command(
     }
     files: list[Path] = []
     with film_file(film, **options), told_what_is_kept(files, film):
-        shown, folder = read_run(run), output if output is not None else run
-        files.append(write_page(shown, folder / PAGE))
+        shown, folder = saved_run(run), output if output is not None else run
+        files += shown.pages(folder)
         if pictures:
-            files += draw_run(shown, prepare_folder(folder, force=True), drawing)
+            files += shown.pictures(folder, drawing)
         if film is not None:
-            files.append(write_film(shown, film, **options))
+            files.append(shown.film(film, **options))
     if json:
         say(json_text({"files": [str(file) for file in files]}))
     elif not quiet:

@@ -122,7 +122,7 @@ REACH_FILES = FileSet("reach.csv", "reach.json", "reach.png")
 SEVERAL_PICTURE = "tips.png"
 """Drawn of several actuators."""
 STAND_FILES = FileSet("stand.csv", "stand.json", "stand.png")
-WALK_TABLE, WALK_PICTURE = "walk.csv", "walk.png"
+WALK_TABLE, LEGS_TABLE, WALK_PICTURE = "walk.csv", "legs.csv", "walk.png"
 """Files of a gait, beside its summary and its spec."""
 REACH_INPUT = "input.csv"
 """The input that brings a tip to a point."""
@@ -138,6 +138,7 @@ OUR_FILES = {
     *RUN_TABLES,
     BAND_TABLE,
     WALK_TABLE,
+    LEGS_TABLE,
     *in_every_format(
         [*RUN_PICTURES, EFFECTS_PICTURE, WALK_PICTURE, *(own.picture for own in FILE_SETS)]
     ),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 from viscodesign.report.csv_text import csv_rows, csv_table
@@ -57,14 +58,15 @@ def write_several(
         own = {"plots": plots, "report": report, "force": force}
         files += write_run(run, folder / name, **own, pictures=pictures)
     if plots and found.runs:
-        files.append(draw_picture(lambda to: _draw(found, to), folder / SEVERAL_PICTURE, pictures))
+        files.append(draw_picture(partial(draw_tips, found), folder / SEVERAL_PICTURE, pictures))
     if report:
         files.append(write_several_page(found, folder / PAGE))
     write_bytes(folder / SUMMARY, json_bytes(found.summary()))
     return [*files, folder / SUMMARY]
 
 
-def _draw(found: SeveralRuns, to: Path) -> None:
+def draw_tips(found: SeveralRuns, to: Path) -> None:
+    """Draw `tips.png`."""
     # Drawing is slow to import, and runs without pictures do not need it.
     from viscodesign.report.charts.several_tips import draw_several_tips
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
+    LEGS_TABLE,
     PAGE,
     SUMMARY,
     WALK_PICTURE,
@@ -37,23 +39,41 @@ def write_walk(
 ) -> list[Path]:
     """Write a gait's files and return them; those of an earlier one are replaced."""
     folder = prepare_folder(directory, force=force)
-    columns = list(_columns(study.motion))
-    names, values = [name for name, _ in columns], np.column_stack([v for _, v in columns])
     contents = {
-        folder / WALK_TABLE: [csv_table(names, ()), csv_rows(values)],
+        folder / WALK_TABLE: _table(_columns(study.motion)),
+        folder / LEGS_TABLE: _table(_leg_columns(study.motion)),
         folder / SUMMARY: [json_bytes(study.document())],
         folder / SPEC: [text_bytes(study.spec_text)],
     }
 
-    def draw(path: Path) -> None:
-        # Drawing is slow to import, and a gait without a picture does not need it.
-        from viscodesign.report.charts.walk import draw_walk
-
-        draw_walk(study, path)
-
     page, picture = folder / PAGE, folder / WALK_PICTURE
-    files = write_with_picture(contents, picture, draw if plots else None, pictures, [page])
+    draw = partial(draw_gait, study) if plots else None
+    files = write_with_picture(contents, picture, draw, pictures, [page])
     return [*files, write_gait_page(study, page)] if report else files
+
+
+def draw_gait(study: WalkStudy, path: Path) -> None:
+    """Draw `walk.png`."""
+    # Drawing is slow to import, and a gait without a picture does not need it.
+    from viscodesign.report.charts.walk import draw_walk
+
+    draw_walk(study, path)
+
+
+def _table(columns: Iterator[tuple[str, np.ndarray]]) -> list[bytes]:
+    names, values = zip(*columns, strict=True)
+    return [csv_table(names, ()), csv_rows(np.column_stack(values))]
+
+
+def _leg_columns(motion: RobotMotion) -> Iterator[tuple[str, np.ndarray]]:
+    """Names and values (R,) of where the ends of all sections are, from the hips on."""
+    yield "time_s", motion.time[motion.rows]
+    for k, name in enumerate(motion.legs):
+        own = motion.axes[:, k]
+        for j in range(own.shape[1]):
+            if not np.isnan(own[0, j, 0]):
+                yield f"{name}.p{j}_x_m", own[:, j, 0]
+                yield f"{name}.p{j}_height_m", own[:, j, 1]
 
 
 def _columns(motion: RobotMotion) -> Iterator[tuple[str, np.ndarray]]:

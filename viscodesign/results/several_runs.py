@@ -49,6 +49,8 @@ class SeveralRuns:
     """Version of this program."""
     coupled: tuple[CoupledMotion, ...] = ()
     """What actuators share that were solved as one system: one for each such system."""
+    known_supplies: Mapping[str, dict[str, Any]] | None = None
+    """`supplies` of runs that were read from files, which do not have what they follow from."""
 
     @property
     def status(self) -> Literal["complete", "failed", "interrupted"]:
@@ -111,6 +113,8 @@ class SeveralRuns:
 
     def supplies(self) -> dict[str, dict[str, Any]]:
         """What every input feeds, and the volume and the flow that it takes for that."""
+        if self.known_supplies is not None:
+            return dict(self.known_supplies)
         found: dict[str, dict[str, Any]] = {}
         named = [s for own in self.sources.values() for s in own.values()]
         for source in dict.fromkeys([*named, *(s for own in self.coupled for s in own.inflow)]):
