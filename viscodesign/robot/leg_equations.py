@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+import sys
+from dataclasses import astuple, fields
+from functools import lru_cache, partial
 
 import casadi as ca
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.taped_function import TapedFunction, TapeWithPatterns
+from viscodesign.model.formula_store import FormulaStore
+from viscodesign.model.structure_digest import structure_digest
+from viscodesign.model.taped_function import TapedFunction
+from viscodesign.native.code_cache import written_by
+from viscodesign.robot import leg_network, leg_pose, leg_rod
 from viscodesign.robot.leg_design import LegDesign
 from viscodesign.robot.leg_network import contents, inflows, section_pressures
 from viscodesign.robot.leg_pose import (
@@ -21,6 +27,7 @@ from viscodesign.robot.leg_pose import (
     tip_seen_from_leg,
 )
 from viscodesign.robot.leg_rod import POINTS, RodLoad, RodSection, RodShooting, ShotRod
+from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX
 LOAD = 3
@@ -153,41 +160,77 @@ class LegFunctions:
         return LOAD + len(self.design.nodes)
 
 
+class _LegFormulas:
+    """The formulas of a design's functions, made when they are first asked for."""
+
+    def __init__(self, design: LegDesign) -> None:
+        self._design = design
+
+    @cached_property
+    def _equations(self) -> LegEquations:
+        return LegEquations(self._design)
+
+    def function(self, name: str) -> ca.Function:
+        """The function that `LegFunctions` has under a name, with dense columns as results."""
+        makers = {
+            "linearised": self._linearised,
+            "plain": self._plain,
+            "after": self._after,
+            "hanging": self._hanging,
+            "foot": self._foot,
+            "axis": self._axis,
+        }
+        arguments, results = makers[name]()
+        columns = [ca.densify(ca.vec(result)) for result in results]
+        return ca.Function(name, arguments, columns, {"cse": True})
+
+    def _linearised(self) -> tuple[list[SX], list[SX]]:
+        equations, own = self._equations, self._equations.symbols
+        both = [equations.residual(), equations.reaction()]
+        unknown, formulas = ca.vertcat(own.load, own.pressures), ca.vertcat(*both)
+        slopes = [ca.densify(ca.jacobian(formulas, by)) for by in (unknown, own.place)]
+        return own.listed(), [*both, *slopes]
+
+    def _plain(self) -> tuple[list[SX], list[SX]]:
+        equations = self._equations
+        return equations.symbols.listed(), [equations.residual(), equations.reaction()]
+
+    def _after(self) -> tuple[list[SX], list[SX]]:
+        return self._equations.symbols.listed(), self._equations.after()
+
+    def _hanging(self) -> tuple[list[SX], list[SX]]:
+        own, rod = self._equations.symbols, self._equations.rod
+        held = ca.vertcat(*contents(self._design, own.pressures, rod))
+        strains = ca.vertcat(*rod.curvatures, *rod.stretches)
+        by_load = ca.densify(ca.jacobian(rod.tip, own.load))
+        arguments = [own.load, own.pressures, own.strains_before, own.step]
+        return arguments, [rod.tip, by_load, held, strains]
+
+    def _foot(self) -> tuple[list[SX], list[SX]]:
+        body, seen, mount = SX.sym("body", BODY), SX.sym("tip", 3), SX.sym("mount", MOUNT)
+        return [body, seen, mount], [foot_below(body, seen, Mount.of(mount))]
+
+    def _axis(self) -> tuple[list[SX], list[SX]]:
+        return self._equations.symbols.listed(), [self._equations.axis()]
+
+
 @lru_cache(16)
 def leg_functions(design: LegDesign) -> LegFunctions:
-    """The functions of a design, made once."""
-    equations = LegEquations(design)
-    own = equations.symbols
-    residual, reaction = equations.residual(), equations.reaction()
-    unknown = ca.vertcat(own.load, own.pressures)
-    both = ca.vertcat(residual, reaction)
-    derivatives = [ca.densify(ca.jacobian(both, by)) for by in (unknown, own.place)]
-    rod = equations.rod
-    tip = rod.tip
-    held = ca.vertcat(*contents(design, own.pressures, rod))
-    strains = ca.vertcat(*rod.curvatures, *rod.stretches)
-    rod_arguments = [own.load, own.pressures, own.strains_before, own.step]
-    by_load = ca.densify(ca.jacobian(tip, own.load))
-    return LegFunctions(
-        design,
-        _taped("linearised", own.listed(), [residual, reaction, *derivatives]),
-        _taped("plain", own.listed(), [residual, reaction]),
-        _taped("after", own.listed(), equations.after()),
-        _taped("hanging", rod_arguments, [tip, by_load, held, strains]),
-        _foot_function(),
-        _taped("axis", own.listed(), [equations.axis()]),
-    )
+    """The functions of a design, made once, and kept on disk for other processes."""
+    formulas = _LegFormulas(design)
+    key = ("leg", written_by(*FORMULATING), astuple(design))
+    store = FormulaStore(structure_digest(key))
+
+    def taped(name: str) -> TapedFunction:
+        make = partial(formulas.function, name)
+        return TapedFunction(store.tape(_LegFormulas, (name,), make), make)
+
+    names = (field.name for field in fields(LegFunctions) if field.name != "design")
+    return LegFunctions(design, **{name: taped(name) for name in names})
 
 
-def _foot_function() -> TapedFunction:
-    body, seen, mount = SX.sym("body", BODY), SX.sym("tip", 3), SX.sym("mount", MOUNT)
-    return _taped("foot", [body, seen, mount], [foot_below(body, seen, Mount.of(mount))])
-
-
-def _taped(name: str, arguments: list[SX], results: list[SX]) -> TapedFunction:
-    columns = [ca.densify(ca.vec(result)) for result in results]
-    function = ca.Function(name, arguments, columns, {"cse": True})
-    return TapedFunction(TapeWithPatterns.of(function), lambda: function)
+FORMULATING = (leg_network, leg_pose, leg_rod, sys.modules[__name__])
+"""Modules whose code makes the formulas of a leg, beside those below this room."""
 
 
 def matrices(entries: np.ndarray, rows: int) -> np.ndarray:
