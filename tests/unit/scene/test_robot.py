@@ -8,6 +8,7 @@ import pytest
 from tests.robots import TEXT, hexapod
 from tests.scenes import CONFIGS
 from viscodesign import SpecError, load, load_robot
+from viscodesign.loading import load_any
 from viscodesign.robot.build_robot import build_robot
 
 
@@ -34,6 +35,14 @@ def test_an_actuator_may_be_like_another_one() -> None:
     scene = hexapod("actuators.rear={like: leg}", "robot.legs.LR.actuator=rear")
     assert scene.leg_scene("rear") == scene.leg_scene("leg")
     assert [len(group.legs) for group in build_robot(scene).groups] == [5, 1]
+
+
+def test_robots_is_a_slip_of_robot() -> None:
+    text = TEXT.replace("\nrobot:\n", "\nrobots:\n")
+    with pytest.raises(SpecError, match="robots: no such key; did you mean 'robot'"):
+        load_any(text)
+    with pytest.raises(SpecError, match=r"no key 'robot' \('robots' is none\)"):
+        load_robot(text)
 
 
 FAULTS = [

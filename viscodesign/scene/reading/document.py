@@ -36,6 +36,10 @@ from viscodesign.scene.reading.yaml_events import (
 )
 from viscodesign.scene.spec_part import KeyPath
 
+ROBOT_KEY = "robot"
+"""The key that makes a spec one of a robot."""
+ACTUATORS_KEY = "actuators"
+"""The key that, without a robot, makes a spec one of several actuators."""
 MAX_NODES = 400_000
 IGNORED_PREFIX = "x-"
 """How top-level keys begin that a spec keeps for itself, such as values that anchors name."""

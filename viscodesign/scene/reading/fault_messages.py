@@ -21,7 +21,12 @@ from viscodesign.scene.input import INPUT_KINDS
 from viscodesign.scene.per_inlet import EACH, ONE
 from viscodesign.scene.pump import PUMP_KINDS
 from viscodesign.scene.reading.allowed_values import allowed_at
-from viscodesign.scene.reading.document import IGNORED_PREFIX, Document
+from viscodesign.scene.reading.document import (
+    ACTUATORS_KEY,
+    IGNORED_PREFIX,
+    ROBOT_KEY,
+    Document,
+)
 from viscodesign.scene.reading.field_lookup import (
     example_of,
     field_at,
@@ -57,6 +62,8 @@ _EXPECTED = {
     "too_short": "a pair",
     "union_tag_not_found": "a mapping with the key 'kind'",
 }
+KIND_KEYS = (ROBOT_KEY, ACTUATORS_KEY)
+"""Keys that make a spec one of another kind."""
 _CONVERSIONS = (
     ("diameter", "radius", "half of the diameter"),
     ("radius", "diameter", "twice the radius"),
@@ -192,7 +199,7 @@ def _unknown_key(path: KeyPath, document: Document) -> str:
     hint = (
         _other_quantity(path[-1], known)
         or _in_another_section(path, document)
-        or did_you_mean(path[-1], known)
+        or did_you_mean(path[-1], [*known, *(KIND_KEYS if len(path) == 1 else ())])
         or _in_a_section(path, known, document)
     )
     odd = odd_letter(path[-1])

@@ -6,8 +6,7 @@ from typing import Any
 
 from viscodesign.scene.effects_choice import EFFECTS, EFFECTS_WORDS, MODE, OTHERS, KnownEffects
 from viscodesign.scene.fluid import named_fluids
-from viscodesign.scene.reading.document import IGNORED_PREFIX
-from viscodesign.scene.reading.read import ROBOT_KEY
+from viscodesign.scene.reading.document import IGNORED_PREFIX, ROBOT_KEY
 from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.several_scene import SeveralScene

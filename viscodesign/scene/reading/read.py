@@ -17,7 +17,13 @@ from viscodesign.scene.effects_choice import (
     is_effect,
     mapping_of,
 )
-from viscodesign.scene.reading.document import IGNORED_PREFIX, Document, parse_value
+from viscodesign.scene.reading.document import (
+    ACTUATORS_KEY,
+    IGNORED_PREFIX,
+    ROBOT_KEY,
+    Document,
+    parse_value,
+)
 from viscodesign.scene.reading.fault_messages import explain_cross_checks, explain_validation
 from viscodesign.scene.reading.sources import (
     ReadSpec,
@@ -113,12 +119,6 @@ def refuse_other_version(document: Document) -> None:
     if problem:
         file, line = document.place(("spec",))
         raise SpecError([Fault(problem, "spec", file, line)])
-
-
-ROBOT_KEY = "robot"
-"""The key that makes a spec one of a robot."""
-ACTUATORS_KEY = "actuators"
-"""The key that, without a robot, makes a spec one of several actuators."""
 
 
 def _refuse_other_kinds(document: Document) -> None:

@@ -6,11 +6,11 @@ from typing import TypeVar
 
 from pydantic import ValidationError
 
-from viscodesign.errors import Fault, SpecError
+from viscodesign.errors import Fault, SpecError, did_you_mean
 from viscodesign.scene.effects_choice import KnownEffects
+from viscodesign.scene.reading.document import ROBOT_KEY
 from viscodesign.scene.reading.fault_messages import explain_validation
 from viscodesign.scene.reading.read import (
-    ROBOT_KEY,
     Overrides,
     apply_overrides,
     context_of,
@@ -39,7 +39,9 @@ def robot_of(
     """The robot of a spec with some keys overridden. Raises `SpecError` with all faults."""
     if not is_robot(spec):
         file, _ = spec.document.place((ROBOT_KEY,))
-        message = f"not a robot: no key '{ROBOT_KEY}'; {_INSTEAD}"
+        slips = [key for key in spec.document.data if did_you_mean(key, [ROBOT_KEY])]
+        meant = f" ('{slips[0]}' is none)" if slips else ""
+        message = f"not a robot: no key '{ROBOT_KEY}'{meant}; {_INSTEAD}"
         raise SpecError([Fault(message, file=file)])
     return with_provenance(read_as(RobotScene, spec, overrides, known), spec)
 

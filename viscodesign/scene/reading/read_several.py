@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 from viscodesign.scene.effects_choice import KnownEffects
-from viscodesign.scene.reading.read import (
-    ACTUATORS_KEY,
-    ROBOT_KEY,
-    Overrides,
-    with_provenance,
-)
+from viscodesign.scene.reading.document import ACTUATORS_KEY, ROBOT_KEY
+from viscodesign.scene.reading.read import Overrides, with_provenance
 from viscodesign.scene.reading.read_robot import read_as
 from viscodesign.scene.reading.sources import ReadSpec
 from viscodesign.scene.several_scene import SeveralScene
