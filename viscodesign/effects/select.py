@@ -51,7 +51,10 @@ def select_effects(quantities: SceneQuantities) -> Selection:
         displacements.prepare(active, flipped.values())
         moved = {n: displacements.between(active, other) for n, other in flipped.items()}
         moved |= dominant
-        return active, tuple(verdict(sets, n, active, moved.get(n, 0.0)) for n in sets.effects)
+        by_weight = displacements.are_weights
+        return active, tuple(
+            verdict(sets, n, active, moved.get(n, 0.0), by_weight=by_weight) for n in sets.effects
+        )
 
     return Selection(sets, displacements, *_choices.get(sets.key, choice))
 

@@ -58,7 +58,7 @@ class TipDisplacements:
     def _estimate(self, sets: Iterable[Names]) -> None:
         """Estimate the motions with these sets, those that are not known yet side by side."""
         new = [names for names in dict.fromkeys(sets) if names not in self._tips]
-        if not new or self._is_too_large:
+        if not new or self.are_weights:
             return
         setting = self._quantities.bare_estimate.setting
         count = max(1, NUMBERS_AT_ONCE // (len(setting.time) * max(setting.bellows, PIECES)))
@@ -67,17 +67,20 @@ class TipDisplacements:
             self._tips.update(zip(some, tips([self._of(names) for names in some]), strict=True))
 
     def _estimated(self, one: Names, other: Names) -> float:
-        unseen = [n for n in one ^ other if self._is_too_large or self._terms[n] is None]
+        unseen = [n for n in one ^ other if self.are_weights or self._terms[n] is None]
         guess = sum(self._by_weight(n, one | other) for n in unseen)
-        if self._is_too_large:
+        if self.are_weights:
             return guess
         self._estimate([one, other])
         setting = self._quantities.bare_estimate.setting
         return tip_distance(setting, self._tips[one], self._tips[other]) + guess
 
     @property
-    def _is_too_large(self) -> bool:
-        """Also where there are several rods, of which an estimate knows none."""
+    def are_weights(self) -> bool:
+        """Whether the weights of effects stand for displacements: no motion is estimated.
+
+        So it is of a scene that is too large for that, or has several rods.
+        """
         is_large = len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
         return is_large or bool(self._quantities.body.members)
 

@@ -6,8 +6,13 @@ from viscodesign.effects.allowed_sets import AllowedSets, Names
 from viscodesign.results.findings import Verdict
 
 
-def verdict(sets: AllowedSets, name: str, active: Names, moved: float) -> Verdict:
-    """Why one effect is active or not; ``moved``: how far it moves the tip [m]."""
+def verdict(
+    sets: AllowedSets, name: str, active: Names, moved: float, *, by_weight: bool = False
+) -> Verdict:
+    """Why one effect is active or not; ``moved``: how far it moves the tip [m].
+
+    ``by_weight``: whether that is its weight, at most 1, in actuator lengths.
+    """
     effect, quantities, present = sets.effects[name], sets.quantities, name in sets.present
     share = moved / quantities.requested_m
     return Verdict(
@@ -16,7 +21,7 @@ def verdict(sets: AllowedSets, name: str, active: Names, moved: float) -> Verdic
         taken=name in active,
         weight=effect.weight(quantities) if present else 0.0,
         formula=effect.formula,
-        reason=_sentence(sets, name, active, moved, share),
+        reason=_sentence(sets, name, active, _displacement(moved, share, by_weight)),
         contribution_m=moved,
         budget_share=share,
         present=present,
@@ -24,7 +29,14 @@ def verdict(sets: AllowedSets, name: str, active: Names, moved: float) -> Verdic
     )
 
 
-def _sentence(sets: AllowedSets, name: str, active: Names, moved: float, share: float) -> str:
+def _displacement(moved: float, share: float, by_weight: bool) -> str:
+    """What an effect does to the tip; of a mere weight, only that it is small."""
+    if by_weight and share >= 1.0:
+        return "may move the tip by more than the accuracy, as its weight says"
+    return f"moves the tip by about {1e3 * moved:.3g} mm, {_of_accuracy(share)}"
+
+
+def _sentence(sets: AllowedSets, name: str, active: Names, moves: str) -> str:
     effect, mode = sets.effects[name], sets.mode(name)
     reason = effect.reason(sets.quantities)
     if name not in sets.present:
@@ -36,14 +48,13 @@ def _sentence(sets: AllowedSets, name: str, active: Names, moved: float, share: 
         return f"neglected with {missing}, without which it has nothing to act on; {reason}"
     if mode != "auto":
         return f"{'included' if mode == 'on' else 'neglected'}: set in the spec; {reason}"
-    moves = f"{1e3 * moved:.3g} mm, {_of_accuracy(share)}"
     if name not in active:
-        return f"neglected: moves the tip by about {moves}; {reason}"
+        return f"neglected: {moves}; {reason}"
     if effect.indispensable(sets.quantities):
         return f"included: this scene requires it; {reason}"
     if sets.costs_nothing(name, active):
         return f"included: no extra cost beside {effect.free_with}; {moves}; {reason}"
-    return f"included: moves the tip by about {moves}; {reason}"
+    return f"included: {moves}; {reason}"
 
 
 def _of_accuracy(share: float) -> str:
