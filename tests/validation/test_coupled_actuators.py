@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.coupled_specs import FLOW_ALONE, LEFT, SINE, coupled_spec, on_one_syringe
+from tests.coupled_specs import FLOW_ALONE, LEFT, RIGHT, SINE, coupled_spec, on_one_syringe
 from tests.thorough import ALL
 from viscodesign import SeveralRuns, load, load_several, simulate, simulate_several
 
@@ -168,3 +168,25 @@ def test_a_tube_that_lets_next_to_nothing_through_changes_nothing() -> None:
     for name in ("left", "right"):
         assert np.abs(found[name].pressure - single[name].pressure).max() < 20.0
         assert np.abs(found[name].tip - single[name].tip)[:, :2].max() < 5e-5
+
+
+def test_one_that_touches_a_wall_does_so_as_it_does_alone() -> None:
+    """With the pressures of the run at its inlets, by the contact of a single actuator."""
+    wall = {"kind": "line", "point": {"x": "-0.3 mm"}, "normal": "90 deg", "friction": 0.3}
+    left = {**LEFT, "loads": {"gravity": "on", "ground": wall}}
+    effects = {**FLOW_ALONE, "gravity": "on", "damping": "on"}
+    spec = coupled_spec(actuators={"left": left, "right": RIGHT}, effects=effects)
+    runs = simulate_several(load_several(spec), verify=False)
+    assert [name for name in runs.frame() if "gap" in name] == ["left.contact_gap_m"]
+    run, free = runs["left"], runs["right"]
+    normal, gap = run["contact_normal"], run["contact_gap"]
+    assert free.contacts == ()
+    assert normal.max() > 0.1
+    assert np.count_nonzero(normal) > 5
+    assert gap.min() > -1e-12
+    assert np.abs(normal * gap).max() < 1e-12
+    assert np.all(np.abs(run["contact_tangential"]) <= 0.3 * normal + 1e-12)
+    alone = simulate(load(run.spec_text), verify=False)
+    assert alone.contacts == run.contacts
+    assert np.abs(alone.tip - run.tip)[:, :2].max() < 0.2 * run.accuracy.requested_m
+    assert np.abs(alone["contact_normal"] - normal).max() < 0.01 * normal.max()

@@ -11,7 +11,8 @@ from viscodesign.effects.base import Effect, Trait
 from viscodesign.errors import Fault
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.model.system import System
+from viscodesign.model.rod import Body, RodSymbols
+from viscodesign.model.system import System, rod_endings
 from viscodesign.references import LiteratureReference
 from viscodesign.scene.ground import Ground
 
@@ -56,28 +57,36 @@ class GroundContact(Effect):
     )
     keys: ClassVar[tuple[str, ...]] = ("loads.ground",)
 
-    ground: Ground | None
+    grounds: tuple[Ground | None, ...]
+    """What each rod may touch."""
+    names: tuple[str, ...] = ("",)
+    """What the names of each rod's points begin with."""
 
     @classmethod
     def of(cls, quantities: SceneQuantities) -> Self:
-        return cls(quantities.scene.loads.ground)
+        scene = quantities.scene
+        names = tuple(f"{name}." for name in scene.members) or ("",)
+        return cls(tuple(own.ground for own in scene.loads_of_rods), names)
 
     def present(self, quantities: SceneQuantities) -> bool:
-        return self.ground is not None
+        return any(own is not None for own in self.grounds)
 
     def indispensable(self, quantities: SceneQuantities) -> bool:
         return True  # nothing can be said of a contact before the motion is known
 
     def weight(self, quantities: SceneQuantities) -> float:
-        return float(self.ground is not None)
+        return float(self.present(quantities))
 
     def reason(self, quantities: SceneQuantities) -> str:
-        if self.ground is None:
-            return "there is no ground to touch"
-        return f"the {_TOUCHING[self.ground.touches]} may touch a rigid {self.ground.kind}"
+        told = [
+            f"the {_TOUCHING[own.touches]}{of and f' of {of[:-1]}'} may touch a rigid {own.kind}"
+            for of, own in zip(self.names, self.grounds, strict=True)
+            if own is not None
+        ]
+        return "; ".join(told) or "there is no ground to touch"
 
     def refusals(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Fault]:
-        if self.ground is None or self.name not in active:
+        if not self.present(quantities) or self.name not in active:
             return
         if quantities.scene.run.start == "periodic":
             yield Fault(
@@ -85,40 +94,54 @@ class GroundContact(Effect):
                 "run.duration in which it settles",
                 "run.start",
             )
-        yield from self._inside(quantities)
-
-    def _inside(self, quantities: SceneQuantities) -> Iterator[Fault]:
-        """Whether parts of the straight actuator are in the ground, where none of it may be."""
-        assert self.ground is not None
-        sections, length = quantities.body.sections, quantities.body.length
-        ends = [length * (k + 1) / sections for k in range(sections)]
-        for z in ends if self.ground.touches == "sections" else ends[-1:]:
-            radius = self.ground.foot_radius if z == ends[-1] else 0.0
-            depth = -_surface(_numbers(self.ground), SX([0.0, z]), radius, SX([0.0, length]))[0]
-            if float(depth) > 0:
-                yield Fault(
-                    f"the straight actuator is {1e3 * float(depth):.3g} mm inside the ground at "
-                    f"z = {1e3 * z:.4g} mm; move the ground, or turn it to its other side",
-                    "loads.ground",
-                )
-                return
+        body = quantities.body
+        for own, rod, name in zip(self.grounds, body.members or (body,), self.names, strict=True):
+            if own is not None:
+                yield from _inside(own, rod, f"actuators.{name}" if name else "")
 
     def join(self, system: System) -> None:
-        assert self.ground is not None
-        numbers = {
-            key: system.parameter(f"ground.{key}", value)
-            for key, value in _numbers(self.ground).items()
-        }
-        friction = system.parameter("ground.friction", self.ground.friction)
-        foot = self.ground.foot_radius
-        radius = system.parameter("ground.foot_radius", foot) if foot else None
-        straight = ca.vertcat(0, system.length)
-        ends = system.rod.section_ends
-        *inner, tip = self.ground.points(len(ends))
-        for name, end in zip(inner, ends, strict=False):
-            system.add_contact(name, *_surface(numbers, end, 0, straight), friction)
-        own = _surface(numbers, ends[-1], 0 if radius is None else radius, straight)
-        system.add_contact(tip, *own, friction, radius)
+        each = zip(system.rod.rods, self.grounds, self.names, rod_endings(system), strict=True)
+        for rod, own, name, ending in each:
+            if own is not None:
+                _touch(system, rod, own, name, ending)
+
+
+def _inside(ground: Ground, body: Body, key: str) -> Iterator[Fault]:
+    """Whether parts of a straight actuator are in the ground, where none of it may be.
+
+    ``key``: what stands before ``loads.ground``.
+    """
+    sections, length = body.sections, body.length
+    ends = [length * (k + 1) / sections for k in range(sections)]
+    for z in ends if ground.touches == "sections" else ends[-1:]:
+        radius = ground.foot_radius if z == ends[-1] else 0.0
+        depth = -_surface(_numbers(ground), SX([0.0, z]), radius, SX([0.0, length]))[0]
+        if float(depth) > 0:
+            yield Fault(
+                f"the straight actuator is {1e3 * float(depth):.3g} mm inside the ground at "
+                f"z = {1e3 * z:.4g} mm; move the ground, or turn it to its other side",
+                f"{key}loads.ground",
+            )
+            return
+
+
+def _touch(system: System, rod: RodSymbols, ground: Ground, name: str, ending: str) -> None:
+    """Let a rod touch its ground; ``ending``: what its parameters end with."""
+    numbers = {
+        key: system.parameter(f"ground.{key}{ending}", value)
+        for key, value in _numbers(ground).items()
+    }
+    friction, foot = system.parameter(f"ground.friction{ending}", ground.friction), None
+    if ground.foot_radius:
+        foot = system.parameter(f"ground.foot_radius{ending}", ground.foot_radius)
+    ends = rod.section_ends
+    length = rod.section_length * len(ends) if ending else system.length
+    straight = ca.vertcat(0, length)
+    *inner, tip = (f"{name}{point}" for point in ground.points(len(ends)))
+    for point, end in zip(inner, ends, strict=False):
+        system.add_contact(point, *_surface(numbers, end, 0, straight), friction)
+    own = _surface(numbers, ends[-1], 0 if foot is None else foot, straight)
+    system.add_contact(tip, *own, friction, foot)
 
 
 _TOUCHING = {"tip": "tip", "sections": "axis at the ends of the sections"}

@@ -20,6 +20,8 @@ Rows = slice | np.ndarray
 TRAJECTORY, SHAPE = "trajectory.csv", "shape.csv"
 TIP_QUANTITIES = ("tip_x", "tip_z", "tip_angle")
 """Quantities of the last point of the axis."""
+CONTACT_QUANTITIES = ("contact_normal", "contact_tangential", "contact_gap")
+"""Quantities of the points that may touch something."""
 PICTURE_UNITS = {"m": ("mm", 1e3), "Pa": ("kPa", 1e-3), "m^3": ("mL", 1e6), "m^3/s": ("mL/s", 1e6)}
 """SI unit -> what pictures show instead, and how many of these it is."""
 RESOLVED_MM = 1e-6

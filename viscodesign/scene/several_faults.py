@@ -190,11 +190,12 @@ def group_faults(scene: SeveralScene, group: LinkedGroup) -> Iterator[KeyFault]:
         )
     for name in group.names:
         loads = inherited(name, scene.actuators, "loads") or scene.loads
-        if getattr(loads, "ground", None) is not None:
+        ground = getattr(loads, "ground", None)
+        if ground is not None and ground.foot_radius:
             yield KeyFault(
-                ("actuators", name, "loads", "ground"),
-                "contact of actuators that share fluid is not supported yet; remove the ground, or "
-                "give each a source of its own",
+                ("actuators", name, "loads", "ground", "foot_radius"),
+                "a round tip of actuators that share fluid is not supported yet; leave it out (0: "
+                "a point), or give each a source of its own",
             )
     if scene.uncertainty is not None:
         yield KeyFault(

@@ -15,12 +15,13 @@ from viscodesign.checks.motion_warnings import motion_notices
 from viscodesign.checks.scene_warnings import inlet_violations
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.graph import Graph
+from viscodesign.results.channels import CONTACT_QUANTITIES
 from viscodesign.results.coefficient_band import NO_SHARED_BAND
 from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.alone import Alone
-from viscodesign.scene.fluid_links import LinkedGroup
+from viscodesign.scene.fluid_links import LinkedGroup, owner_of
 from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.joined_scene import JoinedScene
 from viscodesign.scene.reading.write import resolved_yaml
@@ -46,7 +47,8 @@ def member_runs(scene: SeveralScene, joined: JoinedScene, run: Trajectory) -> di
         }
         alone = scene.alone_driven_by(name, inputs)
         arrays = _arrays(joined, run, place, own, alone.graph, pressures)
-        found[name] = _member(run, alone, arrays)
+        points = tuple(p.partition(".")[2] for p in run.contacts if owner_of(p, [name]) is not None)
+        found[name] = _member(run, alone, arrays, points)
     return found
 
 
@@ -54,13 +56,12 @@ def coupled_motion(group: LinkedGroup, joined: JoinedScene, run: Trajectory) -> 
     """What belongs to none of the actuators alone."""
     tubes = [tube.name for tube in group.shared]
     pressures = _node_pressures(joined.graph, run)
-    between = [node for node in joined.graph.junctions if "." not in node]
     return CoupledMotion(
         actuators=group.names,
         time=run.time,
         inflow=run.inflow,
         inlet_pressure=run.inlet_pressure,
-        junction_pressure={node: pressures[node] for node in between},
+        junction_pressure={node: pressures[node] for node in group.junctions},
         flow={name: run.flow[:, run.tubes.index(name)] for name in tubes},
     )
 
@@ -94,7 +95,8 @@ def _arrays(
     pressures: Mapping[str, np.ndarray],
 ) -> dict[str, np.ndarray]:
     """The arrays of one actuator out of those of all."""
-    times, nothing = len(run.time), np.zeros((len(run.time), 0))
+    times, name = len(run.time), list(joined.members)[place]
+    touching = [k for k, point in enumerate(run.contacts) if owner_of(point, [name]) is not None]
     bellows = [run.bellows.index(own.nodes[name]) for name in graph.bellows]
     tubes = [run.tubes.index(name) for name in own.tubes]
     counts = [one.bellows.count // 2 for one in joined.members.values()]
@@ -112,9 +114,7 @@ def _arrays(
         "pressure": run.pressure[:, bellows],
         "volume": run.volume[:, bellows],
         "junction_pressure": of_nodes(graph.junctions),
-        "contact_normal": nothing,
-        "contact_tangential": nothing,
-        "contact_gap": nothing,
+        **{array: run[array][:, touching] for array in CONTACT_QUANTITIES},
         "tip": run.tip[:, 3 * place : 3 * place + 3],
         "inflow": _inflow(joined, run, own, graph),
         "section_stretch": run["section_stretch"][:, sections],
@@ -155,7 +155,9 @@ def _integral(time: np.ndarray, flow: np.ndarray) -> np.ndarray:
     return np.concatenate([[0.0], np.cumsum(steps)])[: len(time)]
 
 
-def _member(run: Trajectory, alone: Scene, arrays: dict[str, np.ndarray]) -> Trajectory:
+def _member(
+    run: Trajectory, alone: Scene, arrays: dict[str, np.ndarray], contacts: tuple[str, ...]
+) -> Trajectory:
     """The trajectory of one actuator with what is known of it by itself."""
     quantities, graph = SceneQuantities(alone), alone.graph
     active = frozenset(verdict.name for verdict in run.effects if verdict.taken)
@@ -170,6 +172,7 @@ def _member(run: Trajectory, alone: Scene, arrays: dict[str, np.ndarray]) -> Tra
         bellows=graph.bellows,
         tubes=tuple(tube.name for tube in graph.tubes),
         junctions=graph.junctions,
+        contacts=contacts,
         length=alone.actuator.length,
         width=alone.actuator.height,
         section_widths=alone.sections.heights,

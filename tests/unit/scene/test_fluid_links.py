@@ -121,8 +121,8 @@ def tube(start: str, end: str, **sizes: Any) -> dict[str, Any]:
         ({"tubes": [*TREE, tube("A", "left.R1", radius=None)]}, "tubes.3.radius: missing; tubes"),
         ({"tubes": [*TREE, tube("J", "K")]}, "no actuator is connected to J, K"),
         ({"uncertainty": "typical"}, "uncertainty: bands of actuators that share fluid"),
-        ({"loads": {"ground": {"kind": "line", "point": {"x": 0.1, "z": 0}, "normal": "270 deg", "friction": 0}}},
-         "contact of actuators that share fluid"),
+        ({"loads": {"ground": {"kind": "line", "point": {"x": 0.1, "z": 0}, "normal": "270 deg", "friction": 0, "foot_radius": 1e-3}}},
+         "loads.ground.foot_radius: a round tip of actuators that share fluid"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_said_at_its_key(changes: dict[str, Any], message: str) -> None:
