@@ -162,12 +162,18 @@ def _walk() -> Any:
 
 
 def _stand() -> Any:
-    rows = [
-        SimpleNamespace(gauge_pressure_pa=g, height_m=0.1 + 1e-6 * g, sway_limit_n=5 + 1e-4 * g,
-                        tip_stiffness_n_per_m=20 + 1e-3 * g, weight_n=6.0)
-        for g in (-1e4, 0.0, 1e4)
-    ]  # fmt: skip
-    return SimpleNamespace(name="hexapod", own=rows[1], by_gauge=rows)
+    def row(gauge: float, payload: float) -> Any:
+        return SimpleNamespace(
+            gauge_pressure_pa=gauge, payload_kg=payload, height_m=0.1 + 1e-6 * gauge - 0.02 * payload,
+            sway_limit_n=25 + 5e-4 * gauge, tip_stiffness_n_per_m=20 + 1e-3 * gauge - 10 * payload,
+            weight_n=6 + 10 * payload,
+        )  # fmt: skip
+
+    by_gauge = [row(g, 0.0) for g in (-1e4, 0.0, 1e4)]
+    by_payload = [row(0.0, m) for m in (0.0, 0.5, 1.0)]
+    return SimpleNamespace(
+        name="hexapod", own=by_gauge[1], by_gauge=by_gauge, by_payload=by_payload
+    )
 
 
 def _comparison() -> Any:

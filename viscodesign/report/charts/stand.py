@@ -35,7 +35,7 @@ BEARS = 1
 
 
 @dataclass(frozen=True)
-class _Table:
+class _StandTable:
     """Rows of a study and what they go by."""
 
     rows: Sequence[StanceRow]
@@ -71,15 +71,15 @@ def draw_stand(study: StandStudy, path: Target) -> None:
         draw_title(made, f"{shown(study.name, 60)}: {words}", LEFT)
 
 
-def _by_gauge(study: StandStudy) -> _Table:
-    return _Table(study.by_gauge, "gauge_pressure_pa", 1e-3, "gauge pressure [kPa]")
+def _by_gauge(study: StandStudy) -> _StandTable:
+    return _StandTable(study.by_gauge, "gauge_pressure_pa", 1e-3, "gauge pressure [kPa]")
 
 
-def _by_payload(study: StandStudy) -> _Table:
-    return _Table(study.by_payload, "payload_kg", 1e3, "payload [g]")
+def _by_payload(study: StandStudy) -> _StandTable:
+    return _StandTable(study.by_payload, "payload_kg", 1e3, "payload [g]")
 
 
-def _curve(axes: Axes, study: StandStudy, table: _Table, k: int) -> None:
+def _curve(axes: Axes, study: StandStudy, table: _StandTable, k: int) -> None:
     """A quantity of all rows, with the spec's own one marked."""
     name, factor, label = QUANTITIES[k]
     rows = sorted((*table.rows, study.own), key=table.along)
@@ -88,7 +88,8 @@ def _curve(axes: Axes, study: StandStudy, table: _Table, k: int) -> None:
     own = table.along(study.own)
     axes.axvline(own, color=look().faint, lw=0.9)
     axes.plot(places, values, color=look().ink, lw=1.6)
-    axes.plot(own, factor * getattr(study.own, name), "o", color=look().ink)
+    at = own, factor * getattr(study.own, name)
+    axes.plot(*at, "o", color=look().ink, clip_on=False)
     if k == BEARS:
         axes.plot(places, [row.weight_n for row in rows], color=look().accent, lw=1.0, ls="--")
         axes.annotate(
