@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 from viscodesign import effects
 from viscodesign.effects.base import Effect, Trait
 from viscodesign.plugins import members
+from viscodesign.scene.robot_scene import RobotScene
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.several_scene import SeveralScene
 from viscodesign.scene.spec_part import SpecPart, copied
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from viscodesign.estimate.scene_quantities import SceneQuantities
 
 
-SpecT = TypeVar("SpecT", Scene, SeveralScene)
+SpecT = TypeVar("SpecT", bound=Scene | SeveralScene | RobotScene)
 
 
 def catalogue() -> dict[str, type[Effect]]:
