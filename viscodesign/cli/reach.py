@@ -25,6 +25,7 @@ from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.reach_study import ReachStudy
+    from viscodesign.scene.scene import Scene
 
 EXAMPLE = """\b
 Examples:
@@ -96,6 +97,8 @@ def command(
     ends = None if limits is None else pair("--limits", limits, "Pa", "-25 kPa, 30 kPa")
     seconds = None if time is None else positive_time("--time", time)
     scene = read_scene(spec, overrides)
+    if limits is not None and scene.input is not None:
+        _refuse_bare(limits, scene)
     folder = named_folder(scene.name, output, "_reach")
     with new_folder(folder, force=force):
         study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
@@ -105,6 +108,14 @@ def command(
     )
     say_result(study.document(), files, reach_lines(study, folder, files), json, quiet)
     _end(study, folder)
+
+
+def _refuse_bare(limits: str, scene: Scene) -> None:
+    """Raise a fault for limits without a unit that are another order than the spec's input."""
+    from viscodesign.inverse.free_choice import input_size
+    from viscodesign.inverse.free_range import bounds
+
+    bounds("--limits", "Pa", limits.strip("[]() ").split(","), input_size(scene))
 
 
 def _end(study: ReachStudy, folder: Path) -> None:

@@ -66,7 +66,7 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
             if key == GRAPH:
                 graph = _graph(given)
             elif key == INPUT and isinstance(given, Mapping) and HARMONICS in given:
-                harmonics = HarmonicChoice.of(given, _input_size(scene))
+                harmonics = HarmonicChoice.of(given, input_size(scene))
                 ranges += harmonics.ranges()
             elif key == INPUT:
                 ranges += [_range(scene, f"input.{own}", b) for own, b in _own_keys(given).items()]
@@ -90,7 +90,7 @@ def free_choice(read: ReadTarget, scene: Scene) -> FreeChoice:
     return FreeChoice(tuple(ranges), graph, harmonics)
 
 
-def _input_size(scene: Scene) -> float:
+def input_size(scene: Scene) -> float:
     """Largest pressure of the spec's own inputs above the baseline [Pa]; 0 without one."""
     sources = [own for own in scene.inputs.values() if own.gives_pressure]
     ends = [abs(end) for own in sources for end in own.extremes(scene.run.duration)]

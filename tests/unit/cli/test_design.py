@@ -54,5 +54,7 @@ def test_reach_writes_its_files_and_a_point_out_of_reach_exits_with_3(
     said = capsys.readouterr()
     assert "out of reach by" in said.err
     assert (out / "input.csv").read_text().startswith("time_s,pressure_pa\n0.0,0.0\n")
+    assert main(["reach", spec, "--limits", "-25, 30"]) == 2
+    assert "such as [-25 kPa, 30 kPa]" in capsys.readouterr().err
     assert main([*words, "--at", "40 mm"]) == 2
     assert "--at: expected two values" in capsys.readouterr().err
