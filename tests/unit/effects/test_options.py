@@ -21,6 +21,7 @@ from pydantic import Field
 from tests.scenes import CONFIGS, ROOT, leg
 from tests.trajectories import made_run
 from viscodesign import Scene, Trajectory, compile, effects, load, load_several
+from viscodesign.calibration.fitted_spec import fitted_scene, spec_text
 from viscodesign.cli import completion
 from viscodesign.cli.main import main
 from viscodesign.compiled.free_keys import FreeKeys, candidates
@@ -31,9 +32,11 @@ from viscodesign.errors import SpecError, UsageError
 from viscodesign.exploration.all_effects import with_felt_effects
 from viscodesign.exploration.stated_uncertainty import stated_deviations
 from viscodesign.exploration.swept_keys import swept_keys
+from viscodesign.inverse.alternatives import with_modes_of
 from viscodesign.loading import schema
 from viscodesign.pump.planning.scene_variants import planned
 from viscodesign.report.run_folder import write_run
+from viscodesign.results.fit_result import FittedNumber
 from viscodesign.scene.reading.edit import with_value
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.reading.write import resolved_yaml
@@ -170,6 +173,7 @@ def test_other_modes_keep_the_options() -> None:
         scene.replace({"effects.gravity": "off"}),
         scene.replace({"effects": scene.effects.with_modes({"gravity": "on"}, "off")}),
         with_felt_effects(scene),
+        with_modes_of(with_wall().effects, scene),
         planned(scene),
     ):
         assert stated(other)["distance"] == 0.03
@@ -217,6 +221,15 @@ def test_options_are_numbers_that_may_be_free(overrides: tuple[str, ...]) -> Non
 def test_modes_cannot_be_free(key: str) -> None:
     with pytest.raises(SpecError, match="which effects are included stays as it was chosen"):
         FreeKeys(with_wall(), [key])
+
+
+def test_a_found_option_stays_where_a_fit_or_a_design_is_written() -> None:
+    scene = with_wall("effects.wall=on")
+    distance = FittedNumber(DISTANCE, 0.015, "m", 0.02, 0.014, 0.016)
+    assert stated(fitted_scene(scene, [distance])) == {"mode": "on", **STATED, "distance": 0.015}
+    lines = spec_text(fitted_scene(scene, [distance]), [distance]).splitlines()
+    (line,) = [line for line in lines if line.startswith("    distance: ")]
+    assert line == "    distance: 0.015 m  # 95 %: 0.014 to 0.016"
 
 
 def test_an_unknown_option_cannot_be_free() -> None:
