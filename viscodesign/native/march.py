@@ -97,7 +97,7 @@ class StepRecord:
     @property
     def rows(self) -> np.ndarray:
         """All of them (steps, RECORD_HEAD + n), or longer by STAGES n."""
-        return np.concatenate(self.chunks)
+        return self.chunks[0] if len(self.chunks) == 1 else np.concatenate(self.chunks)
 
     def room(self, unknowns: int) -> np.ndarray:
         """Room for the next ones."""

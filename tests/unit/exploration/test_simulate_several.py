@@ -22,7 +22,9 @@ from viscodesign import (
     simulate,
     simulate_several,
 )
-from viscodesign.errors import SolveError, UsageError
+from viscodesign.cli.several import checked_several
+from viscodesign.cli.texts.run_text import both_errors
+from viscodesign.errors import SolveError, SpecError, UsageError
 from viscodesign.exploration import simulate_several as module
 from viscodesign.scene.reading.write import resolved_yaml
 
@@ -42,6 +44,17 @@ def test_every_tip_is_that_of_the_actuator_alone(runs: SeveralRuns) -> None:
         assert runs[name].effects == alone.effects
     assert np.ptp(runs["left"].tip[:, 0]) > 0.01
     assert np.abs(runs["left"].tip - runs["middle"].tip).max() > 0.01
+
+
+def test_what_uncertainty_cannot_say_is_refused_before_anything_is_solved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(module, "simulate", lambda *_, **__: 1 / 0)
+    stated = {**SHORT, "uncertainty": {"network.tube_radus": "5 %"}}
+    scene = load_several(SEVERAL_SPECS[0], stated)
+    for takes in (simulate_several, lambda own: checked_several(own, lines=False)):
+        with pytest.raises(SpecError, match="tube_radus: no such number"):
+            takes(scene)
 
 
 def test_equal_actuators_are_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -156,6 +169,8 @@ def test_what_shares_fluid_has_one_check_and_columns_of_its_own(tmp_path: Path) 
     assert set(shared) <= set(found.frame().columns)
     assert found.summary()["share_fluid"] == [["left", "right"]]
     assert found.supplies()["A"]["feeds"] == ["left", "right"]
+    assert "from the coefficients unknown (see the note)" in both_errors(found["left"])
+    assert any("not supported of actuators that share fluid" in own for own in found["left"].notes)
     found.save(tmp_path, report=False, plots=False)
     alone = load(tmp_path / "right" / "spec.yaml")
     assert list(alone.inputs) == ["T"]
