@@ -38,10 +38,7 @@ KINDS = {
     "places": types.CPointer(types.int32),
     "reals": types.CPointer(types.float64),
 }
-INLINED = (
-    *("copy", "copy_block", "add_scaled", "gather", "scatter", "numba"),
-    *("enlist", "delist", "subtract_product"),
-)
+INLINED = ("copy", "copy_block", "add_scaled", "gather", "scatter", "numba", "enlist", "delist")
 """Loops that are copied into what calls them; the others keep that arrays never overlap."""
 
 

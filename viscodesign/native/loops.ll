@@ -1,4 +1,4 @@
-; made from 286fc699ff560b2504bca0276de30991182d61c06533d2c48b39190c43162c85
+; made from f2f367c32dc09f7dbf2cb7321c5e6163939f1d1b33353a839d9b36707213c744
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -4808,18 +4808,18 @@ define i64 @lu_solve_sides(i64 %a0, ptr %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5,
 
 define internal i32 @lu_solve_sides.37(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.slots, i64 %arg.blocks, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.solution, ptr noalias %arg.x) noinline {
 entry:
-  %.691 = alloca ptr, align 8
-  store ptr null, ptr %.691, align 8
+  %.564 = alloca ptr, align 8
+  store ptr null, ptr %.564, align 8
   %excinfo.1 = alloca ptr, align 8
   store ptr null, ptr %excinfo.1, align 8
-  %.999 = alloca ptr, align 8
-  store ptr null, ptr %.999, align 8
+  %.740 = alloca ptr, align 8
+  store ptr null, ptr %.740, align 8
   %excinfo.2 = alloca ptr, align 8
   store ptr null, ptr %excinfo.2, align 8
   %0 = call i64 @llvm.smax.i64(i64 %arg.blocks, i64 0)
   %storemerge = shl i64 %0, 4
-  %.118375 = icmp sgt i64 %storemerge, 0
-  br i1 %.118375, label %B56.if.preheader, label %B72
+  %.118298 = icmp sgt i64 %storemerge, 0
+  br i1 %.118298, label %B56.if.preheader, label %B72
 
 B56.if.preheader:
   %1 = shl i64 %0, 7
@@ -4827,238 +4827,280 @@ B56.if.preheader:
   br label %B72
 
 B72:
-  %.244380.not = icmp slt i64 %arg.n, 1
-  br i1 %.244380.not, label %B232, label %B102.if
+  %.244303.not = icmp slt i64 %arg.n, 1
+  br i1 %.244303.not, label %B232, label %B102.if
 
 B232:
-  %.512386.not = icmp slt i64 %arg.blocks, 1
-  br i1 %.512386.not, label %B434, label %B262.if
+  %.512306.not = icmp slt i64 %arg.blocks, 1
+  br i1 %.512306.not, label %B386, label %B262.if
 
-B262.loopexit:
-  %exitcond405.not = icmp eq i64 %arg.blocks, %.525
-  br i1 %exitcond405.not, label %B434, label %B262.if
+B386:
+  %.676312.not = icmp slt i64 %arg.blocks, 1
+  br i1 %.676312.not, label %B896.preheader, label %B426.if
 
-B434:
-  %.810395.not = icmp slt i64 %arg.blocks, 1
-  br i1 %.810395.not, label %B988.preheader, label %B474.if
+B426.loopexit:
+  %.676 = icmp sgt i64 %.623.0313, 1
+  br i1 %.676, label %B426.if, label %B896.preheader
 
-B474.loopexit:
-  %.810 = icmp sgt i64 %.757.0396, 1
-  br i1 %.810, label %B474.if, label %B988.preheader
-
-B988.preheader:
-  %.1328400.not = icmp slt i64 %arg.n, 1
-  br i1 %.1328400.not, label %B1118, label %B988.if
-
-B678:
-  %.1030.idx = shl nsw i64 %.853, 5
-  %.1030 = getelementptr i8, ptr %arg.lu, i64 %.1030.idx
-  %.1031 = load double, ptr %.1030, align 8
-  %.1035 = getelementptr i8, ptr %.1030, i64 8
-  %.1036 = load double, ptr %.1035, align 8
-  %.1040 = getelementptr i8, ptr %.1030, i64 16
-  %.1041 = load double, ptr %.1040, align 8
-  %.1047 = getelementptr i8, ptr %.1030, i64 24
-  %.1048 = load double, ptr %.1047, align 8
-  %2 = getelementptr double, ptr %arg.x, i64 %.849
-  %3 = getelementptr i8, ptr %2, i64 64
-  br label %B806.if
+B896.preheader:
+  %.1058317.not = icmp slt i64 %arg.n, 1
+  br i1 %.1058317.not, label %B1026, label %B896.if
 
 common.ret:
-  %common.ret.op = phi i32 [ 0, %B1118 ], [ %.1003, %B596.if ], [ %.695, %B350.if ]
+  %common.ret.op = phi i32 [ 0, %B1026 ], [ %.744, %B428.if ], [ %.568, %B264.if ]
   ret i32 %common.ret.op
 
-B1118:
+B1026:
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
 B102.if:
-  %.188.0381 = phi i64 [ %.257, %B102.if ], [ 0, %B72 ]
-  %4 = shl i64 %.188.0381, 6
-  %scevgep = getelementptr i8, ptr %arg.right, i64 %4
-  %.410 = getelementptr i32, ptr %arg.slots, i64 %.188.0381
+  %.188.0304 = phi i64 [ %.257, %B102.if ], [ 0, %B72 ]
+  %2 = shl i64 %.188.0304, 6
+  %scevgep = getelementptr i8, ptr %arg.right, i64 %2
+  %.410 = getelementptr i32, ptr %arg.slots, i64 %.188.0304
   %.411 = load i32, ptr %.410, align 4
   %.412 = sext i32 %.411 to i64
-  %.idx374 = shl nsw i64 %.412, 6
-  %5 = getelementptr i8, ptr %arg.x, i64 %.idx374
-  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 8 dereferenceable(64) %5, ptr nonnull align 8 dereferenceable(64) %scevgep, i64 64, i1 false)
-  %.257 = add nuw nsw i64 %.188.0381, 1
+  %.idx297 = shl nsw i64 %.412, 6
+  %3 = getelementptr i8, ptr %arg.x, i64 %.idx297
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 8 dereferenceable(64) %3, ptr nonnull align 8 dereferenceable(64) %scevgep, i64 64, i1 false)
+  %.257 = add nuw nsw i64 %.188.0304, 1
   %exitcond.not = icmp eq i64 %arg.n, %.257
   br i1 %exitcond.not, label %B232, label %B102.if
 
 B262.if:
-  %.456.0387 = phi i64 [ %.525, %B262.loopexit ], [ 0, %B232 ]
-  %.525 = add nuw nsw i64 %.456.0387, 1
-  %.551 = shl nsw i64 %.456.0387, 4
-  %.556 = getelementptr i32, ptr %arg.lu_start, i64 %.456.0387
+  %.456.0307 = phi i64 [ %.525, %B264.endif ], [ 0, %B232 ]
+  %.553.idx = shl i64 %.456.0307, 7
+  %.553 = getelementptr i8, ptr %arg.x, i64 %.553.idx
+  %.556 = getelementptr i32, ptr %arg.lu_start, i64 %.456.0307
   %.557 = load i32, ptr %.556, align 4
-  %.559 = getelementptr i32, ptr %arg.diagonal, i64 %.456.0387
+  %.559 = getelementptr i32, ptr %arg.diagonal, i64 %.456.0307
   %.560 = load i32, ptr %.559, align 4
-  %.597 = sub i32 %.560, %.557
-  %.640383.not = icmp slt i32 %.597, 1
-  br i1 %.640383.not, label %B262.loopexit, label %B348.if
-
-B348.if:
-  %.587.0385 = phi i32 [ %.649, %B350.endif ], [ %.597, %B262.if ]
-  %.584.0384 = phi i32 [ %.653, %B350.endif ], [ %.557, %B262.if ]
-  %6 = sext i32 %.584.0384 to i64
-  %.680 = shl nsw i64 %6, 2
-  %.683 = getelementptr i32, ptr %arg.lu_columns, i64 %6
-  %.684 = load i32, ptr %.683, align 4
-  %.685 = sext i32 %.684 to i64
-  %.687 = shl nsw i64 %.685, 4
-  store ptr null, ptr %.691, align 8
-  %.695 = call i32 @subtract_product.38(ptr nonnull %.691, ptr nonnull %excinfo.1, ptr %arg.lu, i64 %.680, ptr %arg.x, i64 %.687, i64 %.551)
-  switch i32 %.695, label %B350.if [
-    i32 -2, label %B350.endif
-    i32 0, label %B350.endif
+  store ptr null, ptr %.564, align 8
+  %.568 = call i32 @subtract_products.38(ptr nonnull %.564, ptr nonnull %excinfo.1, i32 %.557, i32 %.560, ptr %arg.lu, ptr %arg.lu_columns, ptr %arg.x, ptr %.553)
+  switch i32 %.568, label %B264.if [
+    i32 -2, label %B264.endif
+    i32 0, label %B264.endif
   ]
 
-B350.if:
-  %.703 = icmp sgt i32 %.695, 0
-  %.696 = load ptr, ptr %excinfo.1, align 8
-  %.704 = select i1 %.703, ptr %.696, ptr undef
-  store ptr %.704, ptr %excinfo, align 8
+B264.if:
+  %.576 = icmp sgt i32 %.568, 0
+  %.569 = load ptr, ptr %excinfo.1, align 8
+  %.577 = select i1 %.576, ptr %.569, ptr undef
+  store ptr %.577, ptr %excinfo, align 8
   br label %common.ret
 
-B350.endif:
-  %.653 = add i32 %.584.0384, 1
-  %.649 = add nsw i32 %.587.0385, -1
-  %.640 = icmp sgt i32 %.587.0385, 1
-  br i1 %.640, label %B348.if, label %B262.loopexit
+B264.endif:
+  %.525 = add nuw nsw i64 %.456.0307, 1
+  %exitcond322.not = icmp eq i64 %arg.blocks, %.525
+  br i1 %exitcond322.not, label %B386, label %B262.if
 
-B474.if:
-  %.754.0397.in = phi i64 [ %.754.0397, %B474.loopexit ], [ %arg.blocks, %B434 ]
-  %.757.0396 = phi i64 [ %.819, %B474.loopexit ], [ %arg.blocks, %B434 ]
-  %.754.0397 = add i64 %.754.0397.in, -1
-  %.819 = add nsw i64 %.757.0396, -1
-  %.849 = shl nsw i64 %.754.0397, 4
-  %.851 = getelementptr i32, ptr %arg.diagonal, i64 %.754.0397
-  %.852 = load i32, ptr %.851, align 4
-  %.853 = sext i32 %.852 to i64
-  %.865 = add nsw i64 %.853, 1
-  %7 = getelementptr i32, ptr %arg.lu_start, i64 %.754.0397
-  %.868 = getelementptr i8, ptr %7, i64 4
-  %.869 = load i32, ptr %.868, align 4
-  %.870 = sext i32 %.869 to i64
-  %.907 = sub nsw i64 %.870, %.865
-  %.950389.not = icmp slt i64 %.907, 1
-  br i1 %.950389.not, label %B678, label %B594.if
-
-B594.if:
-  %.897.0391 = phi i64 [ %.959, %B596.endif ], [ %.907, %B474.if ]
-  %.894.0390 = phi i64 [ %.963, %B596.endif ], [ %.865, %B474.if ]
-  %.989 = shl nsw i64 %.894.0390, 2
-  %.991 = getelementptr i32, ptr %arg.lu_columns, i64 %.894.0390
-  %.992 = load i32, ptr %.991, align 4
-  %.993 = sext i32 %.992 to i64
-  %.995 = shl nsw i64 %.993, 4
-  store ptr null, ptr %.999, align 8
-  %.1003 = call i32 @subtract_product.38(ptr nonnull %.999, ptr nonnull %excinfo.2, ptr %arg.lu, i64 %.989, ptr %arg.x, i64 %.995, i64 %.849)
-  switch i32 %.1003, label %B596.if [
-    i32 -2, label %B596.endif
-    i32 0, label %B596.endif
+B426.if:
+  %.620.0314.in = phi i64 [ %.620.0314, %B426.loopexit ], [ %arg.blocks, %B386 ]
+  %.623.0313 = phi i64 [ %.685, %B426.loopexit ], [ %arg.blocks, %B386 ]
+  %.620.0314 = add i64 %.620.0314.in, -1
+  %.685 = add nsw i64 %.623.0313, -1
+  %.717 = getelementptr i32, ptr %arg.diagonal, i64 %.620.0314
+  %.718 = load i32, ptr %.717, align 4
+  %.719 = sext i32 %.718 to i64
+  %.726.idx = shl i64 %.620.0314, 7
+  %.726 = getelementptr i8, ptr %arg.x, i64 %.726.idx
+  %.732 = add nsw i64 %.719, 1
+  %4 = getelementptr i32, ptr %arg.lu_start, i64 %.620.0314
+  %.735 = getelementptr i8, ptr %4, i64 4
+  %.736 = load i32, ptr %.735, align 4
+  store ptr null, ptr %.740, align 8
+  %.744 = call i32 @subtract_products.39(ptr nonnull %.740, ptr nonnull %excinfo.2, i64 %.732, i32 %.736, ptr %arg.lu, ptr %arg.lu_columns, ptr %arg.x, ptr %.726)
+  switch i32 %.744, label %B428.if [
+    i32 -2, label %B428.endif
+    i32 0, label %B428.endif
   ]
 
-B596.if:
-  %.1011 = icmp sgt i32 %.1003, 0
-  %.1004 = load ptr, ptr %excinfo.2, align 8
-  %.1012 = select i1 %.1011, ptr %.1004, ptr undef
-  store ptr %.1012, ptr %excinfo, align 8
+B428.if:
+  %.752 = icmp sgt i32 %.744, 0
+  %.745 = load ptr, ptr %excinfo.2, align 8
+  %.753 = select i1 %.752, ptr %.745, ptr undef
+  store ptr %.753, ptr %excinfo, align 8
   br label %common.ret
 
-B596.endif:
-  %.963 = add nsw i64 %.894.0390, 1
-  %.959 = add nsw i64 %.897.0391, -1
-  %.950 = icmp sgt i64 %.897.0391, 1
-  br i1 %.950, label %B594.if, label %B678
+B428.endif:
+  %.765.idx = shl nsw i64 %.719, 5
+  %.765 = getelementptr i8, ptr %arg.lu, i64 %.765.idx
+  %.766 = load double, ptr %.765, align 8
+  %.769 = getelementptr i8, ptr %.765, i64 8
+  %.770 = load double, ptr %.769, align 8
+  %.773 = getelementptr i8, ptr %.765, i64 16
+  %.774 = load double, ptr %.773, align 8
+  %.777 = getelementptr i8, ptr %.765, i64 24
+  %.778 = load double, ptr %.777, align 8
+  %5 = getelementptr i8, ptr %.726, i64 64
+  br label %B714.if
 
-B806.if:
-  %.1092.0392 = phi i64 [ 0, %B678 ], [ %.1161, %B806.if ]
-  %.1161 = add nuw nsw i64 %.1092.0392, 1
-  %.1189 = getelementptr double, ptr %2, i64 %.1092.0392
-  %.1190 = load double, ptr %.1189, align 8
-  %.1195 = getelementptr double, ptr %3, i64 %.1092.0392
-  %.1196 = load double, ptr %.1195, align 8
-  %.1198 = fmul contract double %.1031, %.1190
-  %.1200 = fmul contract double %.1036, %.1196
-  %.1201 = fadd contract double %.1198, %.1200
-  store double %.1201, ptr %.1189, align 8
-  %.1208 = fmul contract double %.1041, %.1190
-  %.1210 = fmul contract double %.1048, %.1196
-  %.1211 = fadd contract double %.1208, %.1210
-  store double %.1211, ptr %.1195, align 8
-  %exitcond406.not = icmp eq i64 %.1161, 8
-  br i1 %exitcond406.not, label %B474.loopexit, label %B806.if
+B714.if:
+  %.822.0309 = phi i64 [ 0, %B428.endif ], [ %.891, %B714.if ]
+  %.891 = add nuw nsw i64 %.822.0309, 1
+  %.919 = getelementptr double, ptr %.726, i64 %.822.0309
+  %.920 = load double, ptr %.919, align 8
+  %.925 = getelementptr double, ptr %5, i64 %.822.0309
+  %.926 = load double, ptr %.925, align 8
+  %.928 = fmul contract double %.766, %.920
+  %.930 = fmul contract double %.770, %.926
+  %.931 = fadd contract double %.928, %.930
+  store double %.931, ptr %.919, align 8
+  %.938 = fmul contract double %.774, %.920
+  %.940 = fmul contract double %.778, %.926
+  %.941 = fadd contract double %.938, %.940
+  store double %.941, ptr %.925, align 8
+  %exitcond323.not = icmp eq i64 %.891, 8
+  br i1 %exitcond323.not, label %B426.loopexit, label %B714.if
 
-B988.if:
-  %.1272.0401 = phi i64 [ %.1341, %B988.if ], [ 0, %B988.preheader ]
-  %8 = shl i64 %.1272.0401, 6
-  %scevgep407 = getelementptr i8, ptr %arg.solution, i64 %8
-  %.1488 = getelementptr i32, ptr %arg.slots, i64 %.1272.0401
-  %.1489 = load i32, ptr %.1488, align 4
-  %.1490 = sext i32 %.1489 to i64
-  %.idx = shl nsw i64 %.1490, 6
-  %9 = getelementptr i8, ptr %arg.x, i64 %.idx
-  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 8 dereferenceable(64) %scevgep407, ptr nonnull align 8 dereferenceable(64) %9, i64 64, i1 false)
-  %.1341 = add nuw nsw i64 %.1272.0401, 1
-  %exitcond408.not = icmp eq i64 %arg.n, %.1341
-  br i1 %exitcond408.not, label %B1118, label %B988.if
+B896.if:
+  %.1002.0318 = phi i64 [ %.1071, %B896.if ], [ 0, %B896.preheader ]
+  %6 = shl i64 %.1002.0318, 6
+  %scevgep324 = getelementptr i8, ptr %arg.solution, i64 %6
+  %.1218 = getelementptr i32, ptr %arg.slots, i64 %.1002.0318
+  %.1219 = load i32, ptr %.1218, align 4
+  %.1220 = sext i32 %.1219 to i64
+  %.idx = shl nsw i64 %.1220, 6
+  %7 = getelementptr i8, ptr %arg.x, i64 %.idx
+  call void @llvm.memcpy.p0.p0.i64(ptr nonnull align 8 dereferenceable(64) %scevgep324, ptr nonnull align 8 dereferenceable(64) %7, i64 64, i1 false)
+  %.1071 = add nuw nsw i64 %.1002.0318, 1
+  %exitcond325.not = icmp eq i64 %arg.n, %.1071
+  br i1 %exitcond325.not, label %B1026, label %B896.if
 }
 
-define internal i32 @subtract_product.38(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.lu, i64 %arg.block, ptr noalias %arg.x, i64 %arg.source, i64 %arg.target) {
+define internal i32 @subtract_products.38(ptr noalias %retptr, ptr noalias %excinfo, i32 %arg.first, i32 %arg.last, ptr noalias %arg.lu, ptr noalias %arg.lu_columns, ptr noalias %arg.x, ptr noalias %arg.own) noinline {
 entry:
-  %.15 = getelementptr double, ptr %arg.lu, i64 %arg.block
-  %.16 = load double, ptr %.15, align 8
-  %.18 = getelementptr i8, ptr %.15, i64 8
-  %.19 = load double, ptr %.18, align 8
-  %.21 = getelementptr i8, ptr %.15, i64 16
-  %.22 = load double, ptr %.21, align 8
-  %.24 = getelementptr i8, ptr %.15, i64 24
-  %.25 = load double, ptr %.24, align 8
-  %0 = getelementptr double, ptr %arg.x, i64 %arg.source
-  %1 = getelementptr i8, ptr %0, i64 64
-  %2 = getelementptr double, ptr %arg.x, i64 %arg.target
-  %3 = getelementptr i8, ptr %2, i64 64
-  br label %B132.if
+  %.54 = sub i32 %arg.last, %arg.first
+  %.9978.not = icmp slt i32 %.54, 1
+  br i1 %.9978.not, label %B378, label %B36.if
 
-B326:
+B36.loopexit:
+  %.108 = add nsw i32 %.44.080, -1
+  %.112 = add i32 %.41.079, 1
+  %.99 = icmp sgt i32 %.44.080, 1
+  br i1 %.99, label %B36.if, label %B378
+
+B378:
   store ptr null, ptr %retptr, align 8
   ret i32 0
 
-B132.if:
-  %.69.038 = phi i64 [ 0, %entry ], [ %.140, %B132.if ]
-  %.140 = add nuw nsw i64 %.69.038, 1
-  %.168 = getelementptr double, ptr %0, i64 %.69.038
-  %.169 = load double, ptr %.168, align 8
-  %.174 = getelementptr double, ptr %1, i64 %.69.038
-  %.175 = load double, ptr %.174, align 8
-  %.179 = getelementptr double, ptr %2, i64 %.69.038
-  %.180 = load double, ptr %.179, align 8
-  %.182 = fmul contract double %.16, %.169
-  %.184 = fmul contract double %.19, %.175
-  %.185 = fadd contract double %.182, %.184
-  %.186 = fsub contract double %.180, %.185
-  store double %.186, ptr %.179, align 8
-  %.194 = getelementptr double, ptr %3, i64 %.69.038
-  %.195 = load double, ptr %.194, align 8
-  %.197 = fmul contract double %.22, %.169
-  %.199 = fmul contract double %.25, %.175
-  %.200 = fadd contract double %.197, %.199
-  %.201 = fsub contract double %.195, %.200
-  store double %.201, ptr %.194, align 8
-  %exitcond.not = icmp eq i64 %.140, 8
-  br i1 %exitcond.not, label %B326, label %B132.if
+B36.if:
+  %.44.080 = phi i32 [ %.108, %B36.loopexit ], [ %.54, %entry ]
+  %.41.079 = phi i32 [ %.112, %B36.loopexit ], [ %arg.first, %entry ]
+  %0 = sext i32 %.41.079 to i64
+  %.141 = getelementptr i32, ptr %arg.lu_columns, i64 %0
+  %.142 = load i32, ptr %.141, align 4
+  %.143 = sext i32 %.142 to i64
+  %.idx = shl nsw i64 %.143, 7
+  %1 = getelementptr i8, ptr %arg.x, i64 %.idx
+  %2 = getelementptr i8, ptr %1, i64 64
+  %.285.idx = shl nsw i64 %0, 5
+  %.285 = getelementptr i8, ptr %arg.lu, i64 %.285.idx
+  %.286 = load double, ptr %.285, align 8
+  %.291 = getelementptr i8, ptr %.285, i64 8
+  %.292 = load double, ptr %.291, align 8
+  %.306 = getelementptr i8, ptr %.285, i64 16
+  %.307 = load double, ptr %.306, align 8
+  %.312 = getelementptr i8, ptr %.285, i64 24
+  %.313 = load double, ptr %.312, align 8
+  br label %B128.if
+
+B128.if:
+  %.175.076 = phi i64 [ 0, %B36.if ], [ %.244, %B128.if ]
+  %.244 = add nuw nsw i64 %.175.076, 1
+  %.272 = getelementptr double, ptr %1, i64 %.175.076
+  %.273 = load double, ptr %.272, align 8
+  %.278 = getelementptr double, ptr %2, i64 %.175.076
+  %.279 = load double, ptr %.278, align 8
+  %.281 = getelementptr double, ptr %arg.own, i64 %.175.076
+  %.282 = load double, ptr %.281, align 8
+  %.287 = fmul contract double %.273, %.286
+  %.293 = fmul contract double %.279, %.292
+  %.294 = fadd contract double %.287, %.293
+  %.295 = fsub contract double %.282, %.294
+  store double %.295, ptr %.281, align 8
+  %.301 = getelementptr i8, ptr %.281, i64 64
+  %.302 = load double, ptr %.301, align 8
+  %.308 = fmul contract double %.273, %.307
+  %.314 = fmul contract double %.279, %.313
+  %.315 = fadd contract double %.308, %.314
+  %.316 = fsub contract double %.302, %.315
+  store double %.316, ptr %.301, align 8
+  %exitcond.not = icmp eq i64 %.244, 8
+  br i1 %exitcond.not, label %B36.loopexit, label %B128.if
+}
+
+define internal i32 @subtract_products.39(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i32 %arg.last, ptr noalias %arg.lu, ptr noalias %arg.lu_columns, ptr noalias %arg.x, ptr noalias %arg.own) noinline {
+entry:
+  %.18 = sext i32 %arg.last to i64
+  %.55 = sub i64 %.18, %arg.first
+  %.10078.not = icmp slt i64 %.55, 1
+  br i1 %.10078.not, label %B378, label %B36.if
+
+B36.loopexit:
+  %.109 = add nsw i64 %.45.080, -1
+  %.113 = add i64 %.42.079, 1
+  %.100 = icmp sgt i64 %.45.080, 1
+  br i1 %.100, label %B36.if, label %B378
+
+B378:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B36.if:
+  %.45.080 = phi i64 [ %.109, %B36.loopexit ], [ %.55, %entry ]
+  %.42.079 = phi i64 [ %.113, %B36.loopexit ], [ %arg.first, %entry ]
+  %.140 = getelementptr i32, ptr %arg.lu_columns, i64 %.42.079
+  %.141 = load i32, ptr %.140, align 4
+  %.142 = sext i32 %.141 to i64
+  %.idx = shl nsw i64 %.142, 7
+  %0 = getelementptr i8, ptr %arg.x, i64 %.idx
+  %1 = getelementptr i8, ptr %0, i64 64
+  %.284.idx = shl i64 %.42.079, 5
+  %.284 = getelementptr i8, ptr %arg.lu, i64 %.284.idx
+  %.285 = load double, ptr %.284, align 8
+  %.290 = getelementptr i8, ptr %.284, i64 8
+  %.291 = load double, ptr %.290, align 8
+  %.305 = getelementptr i8, ptr %.284, i64 16
+  %.306 = load double, ptr %.305, align 8
+  %.311 = getelementptr i8, ptr %.284, i64 24
+  %.312 = load double, ptr %.311, align 8
+  br label %B128.if
+
+B128.if:
+  %.174.076 = phi i64 [ 0, %B36.if ], [ %.243, %B128.if ]
+  %.243 = add nuw nsw i64 %.174.076, 1
+  %.271 = getelementptr double, ptr %0, i64 %.174.076
+  %.272 = load double, ptr %.271, align 8
+  %.277 = getelementptr double, ptr %1, i64 %.174.076
+  %.278 = load double, ptr %.277, align 8
+  %.280 = getelementptr double, ptr %arg.own, i64 %.174.076
+  %.281 = load double, ptr %.280, align 8
+  %.286 = fmul contract double %.272, %.285
+  %.292 = fmul contract double %.278, %.291
+  %.293 = fadd contract double %.286, %.292
+  %.294 = fsub contract double %.281, %.293
+  store double %.294, ptr %.280, align 8
+  %.300 = getelementptr i8, ptr %.280, i64 64
+  %.301 = load double, ptr %.300, align 8
+  %.307 = fmul contract double %.272, %.306
+  %.313 = fmul contract double %.278, %.312
+  %.314 = fadd contract double %.307, %.313
+  %.315 = fsub contract double %.301, %.314
+  store double %.315, ptr %.300, align 8
+  %exitcond.not = icmp eq i64 %.243, 8
+  br i1 %exitcond.not, label %B36.loopexit, label %B128.if
 }
 
 define i64 @slopes_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @slopes_at.39(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
+  %1 = call i32 @slopes_at.40(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
   ret i64 0
 }
 
-define internal i32 @slopes_at.39(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @slopes_at.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.drive_weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.18 = alloca ptr, align 8
   store ptr null, ptr %.18, align 8
@@ -5088,7 +5130,7 @@ B0.if:
 
 B0.endif:
   store ptr null, ptr %.45, align 8
-  %.49 = call i32 @pull_residual.40(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.49 = call i32 @pull_residual.41(ptr nonnull %.45, ptr nonnull %excinfo.2, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.49, label %B0.endif.if [
     i32 -2, label %B0.endif.endif
     i32 0, label %B0.endif.endif
@@ -5107,7 +5149,7 @@ B0.endif.if:
 
 B0.endif.endif:
   store ptr null, ptr %.70, align 8
-  %.74 = call i32 @drives_bar.41(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
+  %.74 = call i32 @drives_bar.42(ptr nonnull %.70, ptr nonnull %excinfo.3, ptr %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.drive_weights, ptr %arg.local, ptr %arg.out)
   switch i32 %.74, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
@@ -5125,7 +5167,7 @@ B0.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @pull_residual.40(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_residual.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.415 = alloca ptr, align 8
   store ptr null, ptr %.415, align 8
@@ -5159,7 +5201,7 @@ B586:
   %.401 = load i64, ptr %.400, align 8
   %.403 = getelementptr i32, ptr %arg.rows, i64 %.401
   store ptr null, ptr %.415, align 8
-  %.419 = call i32 @pull.42(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.419 = call i32 @pull.43(ptr nonnull %.415, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 0, i64 %.396, ptr %.403, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.419, label %B586.if [
     i32 -2, label %B731
     i32 0, label %B731
@@ -5225,7 +5267,7 @@ B586.if:
   br label %common.ret
 }
 
-define internal i32 @drives_bar.41(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @drives_bar.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.weights, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.198 = alloca ptr, align 8
   store ptr null, ptr %.198, align 8
@@ -5247,7 +5289,7 @@ B116:
   %.184 = getelementptr double, ptr %arg.weights, i64 %.45
   store double 0.000000e+00, ptr %.184, align 8
   store ptr null, ptr %.198, align 8
-  %.202 = call i32 @pull_drive.43(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.202 = call i32 @pull_drive.44(ptr nonnull %.198, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.202, label %B116.if [
     i32 -2, label %B116.endif
     i32 0, label %B116.endif
@@ -5269,7 +5311,7 @@ B116.endif:
   br label %common.ret
 }
 
-define internal i32 @pull_drive.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_drive.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.190 = alloca ptr, align 8
   store ptr null, ptr %.190, align 8
@@ -5305,7 +5347,7 @@ B56.if:
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
   store ptr null, ptr %.190, align 8
-  %.194 = call i32 @pull.42(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.194 = call i32 @pull.43(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.194, label %B58.if [
     i32 -2, label %B58.endif
     i32 0, label %B58.endif
@@ -5324,7 +5366,7 @@ B58.endif:
   br i1 %exitcond.not, label %B266, label %B56.if
 }
 
-define internal i32 @pull.42(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull.43(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.229 = alloca ptr, align 8
   store ptr null, ptr %.229, align 8
@@ -5459,11 +5501,11 @@ B626.if:
 define i64 @rates_at(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @rates_at.44(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
+  %1 = call i32 @rates_at.45(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11)
   ret i64 0
 }
 
-define internal i32 @rates_at.44(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @rates_at.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.20 = alloca ptr, align 8
   store ptr null, ptr %.20, align 8
@@ -5495,7 +5537,7 @@ B0.if:
 B0.endif:
   %.18 = getelementptr double, ptr %arg.Y_dot, i64 %.17
   store ptr null, ptr %.47, align 8
-  %.51 = call i32 @push_drive.45(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
+  %.51 = call i32 @push_drive.46(ptr nonnull %.47, ptr nonnull %excinfo.2, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %.18, ptr %arg.local, ptr %arg.out)
   switch i32 %.51, label %B0.endif.if [
     i32 -2, label %B0.endif.endif
     i32 0, label %B0.endif.endif
@@ -5514,7 +5556,7 @@ B0.endif.if:
 
 B0.endif.endif:
   store ptr null, ptr %.72, align 8
-  %.76 = call i32 @push_residual.46(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
+  %.76 = call i32 @push_residual.47(ptr nonnull %.72, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.r_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.76, label %B0.endif.endif.if [
     i32 -2, label %B0.endif.endif.endif
     i32 0, label %B0.endif.endif.endif
@@ -5532,7 +5574,7 @@ B0.endif.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @push_drive.45(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_drive.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.319 = alloca ptr, align 8
   store ptr null, ptr %.319, align 8
@@ -5602,7 +5644,7 @@ B248.if:
   %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
   %.282 = add nuw nsw i64 %.213.0124, 1
   store ptr null, ptr %.319, align 8
-  %.323 = call i32 @push.47(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.323 = call i32 @push.48(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.323, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -5636,7 +5678,7 @@ B406.if:
   br i1 %.485, label %B456, label %B490
 }
 
-define internal i32 @push_residual.46(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_residual.47(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.657 = alloca ptr, align 8
   store ptr null, ptr %.657, align 8
@@ -5746,7 +5788,7 @@ B748.if:
   %.552.0166 = phi i64 [ %.621, %B750.endif.endif ], [ 0, %B624 ]
   %.621 = add nuw nsw i64 %.552.0166, 1
   store ptr null, ptr %.657, align 8
-  %.661 = call i32 @push.47(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.661 = call i32 @push.48(ptr nonnull %.657, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, i64 %4, i64 0, i64 %.552.0166, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.661, label %B750.if [
     i32 -2, label %B750.endif
     i32 0, label %B750.endif
@@ -5781,7 +5823,7 @@ B750.endif.endif:
   br i1 %exitcond.not, label %B881, label %B748.if
 }
 
-define internal i32 @push.47(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push.48(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.69 = alloca ptr, align 8
   store ptr null, ptr %.69, align 8
@@ -5873,11 +5915,11 @@ B396.if.lr.ph:
 define i64 @reverse(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31, ptr %a32) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @reverse.48(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31, ptr %a32)
+  %1 = call i32 @reverse.49(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, ptr %a26, ptr %a27, ptr %a28, ptr %a29, ptr %a30, ptr %a31, ptr %a32)
   ret i64 0
 }
 
-define internal i32 @reverse.48(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, i64 %arg.step_length, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
+define internal i32 @reverse.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, i64 %arg.step_length, ptr noalias %arg.edges, i64 %arg.edge_count, ptr noalias %arg.weights, ptr noalias %arg.Y, ptr noalias %arg.y_bar, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.ends_bar, ptr noalias %arg.work) noinline {
 entry:
   %.502 = alloca ptr, align 8
   store ptr null, ptr %.502, align 8
@@ -6120,7 +6162,7 @@ B918:
   %.396 = load double, ptr %.395, align 8
   %.398 = getelementptr i8, ptr %.387, i64 24
   store ptr null, ptr %.502, align 8
-  %.506 = call i32 @replay.49(ptr nonnull %.502, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.387, i64 %arg.step_length, ptr %arg.Y, ptr %arg.work, ptr %.135, ptr %.211, ptr %.223, ptr %.164, ptr %.205, ptr %.156, ptr %.160, ptr %.191, ptr %.198, ptr %.241, ptr %.249)
+  %.506 = call i32 @replay.50(ptr nonnull %.502, ptr nonnull %excinfo.1, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.387, i64 %arg.step_length, ptr %arg.Y, ptr %arg.work, ptr %.135, ptr %.211, ptr %.223, ptr %.164, ptr %.205, ptr %.156, ptr %.160, ptr %.191, ptr %.198, ptr %.241, ptr %.249)
   switch i32 %.506, label %B918.if [
     i32 -2, label %B918.endif
     i32 0, label %B918.endif
@@ -6131,7 +6173,7 @@ B1308:
 
 B1366:
   store i64 0, ptr %.819, align 8
-  %.823 = call i32 @first_edge_in.50(ptr nonnull %.819, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0958, double %.393)
+  %.823 = call i32 @first_edge_in.51(ptr nonnull %.819, ptr nonnull %excinfo.2, ptr %arg.edges, i64 %stop.2.0958, double %.393)
   %.833 = load i64, ptr %.819, align 8
   switch i32 %.823, label %B1366.if [
     i32 -2, label %B1366.endif
@@ -6140,7 +6182,7 @@ B1366:
 
 B1746:
   store ptr null, ptr %.1254, align 8
-  %.1258 = call i32 @dense_rate.51(ptr nonnull %.1254, ptr nonnull %excinfo.8, i64 %.101, ptr %arg.method, double %.990, ptr %.398, ptr %.529, ptr %arg.work, ptr %.156)
+  %.1258 = call i32 @dense_rate.52(ptr nonnull %.1254, ptr nonnull %excinfo.8, i64 %.101, ptr %arg.method, double %.990, ptr %.398, ptr %.529, ptr %arg.work, ptr %.156)
   switch i32 %.1258, label %B1746.if [
     i32 -2, label %B1746.endif
     i32 0, label %B1746.endif
@@ -6194,7 +6236,7 @@ B3136:
   %h_bar.8.2.lcssa = phi double [ %.1952, %B2800 ], [ %.2347, %B2832.endif.endif.endif ]
   %.2365 = getelementptr double, ptr %arg.work, i64 %.1526
   store double 0.000000e+00, ptr %.2368, align 8
-  %.2372 = call i32 @dot.52(ptr nonnull %.2368, ptr nonnull %excinfo.22, i64 %.101, ptr %.160, ptr %.2365)
+  %.2372 = call i32 @dot.53(ptr nonnull %.2368, ptr nonnull %excinfo.22, i64 %.101, ptr %.160, ptr %.2365)
   switch i32 %.2372, label %B3136.if [
     i32 -2, label %B3136.endif
     i32 0, label %B3136.endif
@@ -6247,7 +6289,7 @@ B3890:
 
 B4030:
   store ptr null, ptr %.3408, align 8
-  %.3412 = call i32 @pull_drive.53(ptr nonnull %.3408, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.232, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
+  %.3412 = call i32 @pull_drive.54(ptr nonnull %.3408, ptr nonnull %excinfo.27, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.232, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
   switch i32 %.3412, label %B4030.if [
     i32 -2, label %B4030.endif
     i32 0, label %B4030.endif
@@ -6335,7 +6377,7 @@ B1432.if:
   %.973 = getelementptr double, ptr %arg.edges, i64 %.873.0914
   %.974 = load double, ptr %.973, align 8
   store double 0.000000e+00, ptr %.976, align 8
-  %.980 = call i32 @part_done.54(ptr nonnull %.976, ptr nonnull %excinfo.3, double %.974, ptr nonnull %.387)
+  %.980 = call i32 @part_done.55(ptr nonnull %.976, ptr nonnull %excinfo.3, double %.974, ptr nonnull %.387)
   %.990 = load double, ptr %.976, align 8
   switch i32 %.980, label %B1434.if [
     i32 -2, label %B1434.endif
@@ -6387,7 +6429,7 @@ B1636.if:
   %.1089.0911 = phi i64 [ %.1158, %B1638.endif.endif ], [ 0, %B1636.if.preheader ]
   %.1158 = add nuw nsw i64 %.1089.0911, 1
   store double 0.000000e+00, ptr %.1186, align 8
-  %.1190 = call i32 @dense_weight.55(ptr nonnull %.1186, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1089.0911, double %.990)
+  %.1190 = call i32 @dense_weight.56(ptr nonnull %.1186, ptr nonnull %excinfo.6, ptr %arg.method, i64 %.1089.0911, double %.990)
   switch i32 %.1190, label %B1638.if [
     i32 -2, label %B1638.endif
     i32 0, label %B1638.endif
@@ -6431,7 +6473,7 @@ B1746.if:
 
 B1746.endif:
   store double 0.000000e+00, ptr %.1282, align 8
-  %.1286 = call i32 @dot.52(ptr nonnull %.1282, ptr nonnull %excinfo.9, i64 %.101, ptr %.970, ptr %.156)
+  %.1286 = call i32 @dot.53(ptr nonnull %.1282, ptr nonnull %excinfo.9, i64 %.101, ptr %.970, ptr %.156)
   switch i32 %.1286, label %B1746.endif.if [
     i32 -2, label %B1746.endif.endif
     i32 0, label %B1746.endif.endif
@@ -6544,7 +6586,7 @@ B2396.if:
 B2396.endif:
   store double 0.000000e+00, ptr %.1806, align 8
   store ptr null, ptr %.1820, align 8
-  %.1824 = call i32 @pull_residual.40(ptr nonnull %.1820, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.156, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
+  %.1824 = call i32 @pull_residual.41(ptr nonnull %.1820, ptr nonnull %excinfo.15, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.156, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
   switch i32 %.1824, label %B2396.endif.if [
     i32 -2, label %B2396.endif.endif
     i32 0, label %B2396.endif.endif
@@ -6559,7 +6601,7 @@ B2396.endif.if:
 
 B2396.endif.endif:
   store ptr null, ptr %.1856, align 8
-  %.1860 = call i32 @drives_bar.41(ptr nonnull %.1856, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.232, ptr %.241, ptr %.249)
+  %.1860 = call i32 @drives_bar.42(ptr nonnull %.1856, ptr nonnull %excinfo.16, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.232, ptr %.241, ptr %.249)
   switch i32 %.1860, label %B2396.endif.endif.if [
     i32 -2, label %B2396.endif.endif.endif
     i32 0, label %B2396.endif.endif.endif
@@ -6655,7 +6697,7 @@ B2832.endif.endif:
   %.2308 = load double, ptr %.2274, align 8
   %.2313 = getelementptr double, ptr %arg.work, i64 %.2232
   store double 0.000000e+00, ptr %.2316, align 8
-  %.2320 = call i32 @dot.52(ptr nonnull %.2316, ptr nonnull %excinfo.21, i64 %.101, ptr %.160, ptr %.2313)
+  %.2320 = call i32 @dot.53(ptr nonnull %.2316, ptr nonnull %excinfo.21, i64 %.101, ptr %.160, ptr %.2313)
   switch i32 %.2320, label %B2832.endif.endif.if [
     i32 -2, label %B2832.endif.endif.endif
     i32 0, label %B2832.endif.endif.endif
@@ -6688,7 +6730,7 @@ B3136.endif:
   %.2401 = getelementptr i8, ptr %36, i64 1088
   %.2402 = load double, ptr %.2401, align 8
   store double 0.000000e+00, ptr %.2407, align 8
-  %.2411 = call i32 @dot.52(ptr nonnull %.2407, ptr nonnull %excinfo.23, i64 %.101, ptr %.1528, ptr %.164)
+  %.2411 = call i32 @dot.53(ptr nonnull %.2407, ptr nonnull %excinfo.23, i64 %.101, ptr %.1528, ptr %.164)
   switch i32 %.2411, label %B3136.endif.if [
     i32 -2, label %B3136.endif.endif
     i32 0, label %B3136.endif.endif
@@ -6820,7 +6862,7 @@ B4030.if:
 
 B4030.endif:
   store ptr null, ptr %.3444, align 8
-  %.3448 = call i32 @pull_jacobian.56(ptr nonnull %.3444, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.217, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
+  %.3448 = call i32 @pull_jacobian.57(ptr nonnull %.3444, ptr nonnull %excinfo.28, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.217, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.241, ptr %.249)
   switch i32 %.3448, label %B4030.endif.if [
     i32 -2, label %B4030.endif.endif
     i32 0, label %B4030.endif.endif
@@ -6835,7 +6877,7 @@ B4030.endif.if:
 
 B4030.endif.endif:
   store ptr null, ptr %.3480, align 8
-  %.3484 = call i32 @drives_bar.41(ptr nonnull %.3480, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.232, ptr %.241, ptr %.249)
+  %.3484 = call i32 @drives_bar.42(ptr nonnull %.3480, ptr nonnull %excinfo.29, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %.232, ptr %.241, ptr %.249)
   switch i32 %.3484, label %B4030.endif.endif.if [
     i32 -2, label %B4030.endif.endif.endif
     i32 0, label %B4030.endif.endif.endif
@@ -6885,7 +6927,7 @@ B4030.endif.endif.endif.endif.endif:
   br i1 %.3572, label %B4286, label %B4318
 }
 
-define internal i32 @replay.49(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, i64 %arg.step_length, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @replay.50(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.step, i64 %arg.step_length, ptr noalias %arg.Y, ptr noalias %arg.stages, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.rates, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.row, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.116 = alloca ptr, align 8
   store ptr null, ptr %.116, align 8
@@ -6946,7 +6988,7 @@ B454.if.preheader:
 
 B504:
   store ptr null, ptr %.480, align 8
-  %.484 = call i32 @solve_stages.57(ptr nonnull %.480, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.89, double %.92, ptr %.94, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.83, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
+  %.484 = call i32 @solve_stages.58(ptr nonnull %.480, ptr nonnull %excinfo.6, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, i64 %arg.blocks, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, double %.89, double %.92, ptr %.94, ptr %arg.Y, ptr %arg.drift, ptr %arg.lu, ptr %arg.stages, ptr %arg.places, i64 %.83, ptr %arg.right, ptr %arg.after, ptr %arg.x, ptr %arg.local, ptr %arg.out)
   switch i32 %.484, label %B504.if [
     i32 -2, label %B584
     i32 0, label %B584
@@ -7026,7 +7068,7 @@ B320.if:
 B454.if:
   %.316.059 = phi i64 [ %.385, %B456.endif ], [ 0, %B454.if.preheader ]
   store ptr null, ptr %.417, align 8
-  %.421 = call i32 @set_place.58(ptr nonnull %.417, ptr nonnull %excinfo.5, i64 %.83, i64 %.316.059, ptr %arg.method, ptr %.94, ptr %arg.stages, ptr %arg.places, i64 %.83)
+  %.421 = call i32 @set_place.59(ptr nonnull %.417, ptr nonnull %excinfo.5, i64 %.83, i64 %.316.059, ptr %arg.method, ptr %.94, ptr %arg.stages, ptr %arg.places, i64 %.83)
   switch i32 %.421, label %B456.if [
     i32 -2, label %B456.endif
     i32 0, label %B456.endif
@@ -7079,7 +7121,7 @@ B584.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @first_edge_in.50(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
+define internal i32 @first_edge_in.51(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.edges, i64 %arg.stop, double %arg.time) noinline {
 entry:
   %.19 = icmp sgt i64 %arg.stop, 0
   br i1 %.19, label %B20, label %B114
@@ -7111,7 +7153,7 @@ B114:
   ret i32 0
 }
 
-define internal i32 @part_done.54(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
+define internal i32 @part_done.55(ptr noalias %retptr, ptr noalias %excinfo, double %arg.edge, ptr noalias %arg.step) noinline {
 entry:
   %.20 = alloca double, align 8
   store double 0.000000e+00, ptr %.20, align 8
@@ -7147,7 +7189,7 @@ B0.endif.endif:
   br label %common.ret
 }
 
-define internal i32 @dense_weight.55(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
+define internal i32 @dense_weight.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.method, i64 %arg.j, double %arg.theta) noinline {
 entry:
   %0 = getelementptr double, ptr %arg.method, i64 %arg.j
   %.9 = getelementptr i8, ptr %0, i64 1216
@@ -7167,7 +7209,7 @@ entry:
   ret i32 0
 }
 
-define internal i32 @dense_rate.51(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
+define internal i32 @dense_rate.52(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.method, double %arg.theta, ptr noalias %arg.y, ptr noalias %arg.end, ptr noalias %arg.stages, ptr noalias %arg.rate) noinline {
 entry:
   %.327 = alloca ptr, align 8
   store ptr null, ptr %.327, align 8
@@ -7244,7 +7286,7 @@ B122.endif:
   br i1 %exitcond78.not, label %B422, label %B120.if
 }
 
-define internal i32 @dot.52(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+define internal i32 @dot.53(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B84, label %B38.if
@@ -7268,7 +7310,7 @@ B38.if:
   br i1 %exitcond.not, label %B84, label %B38.if
 }
 
-define internal i32 @pull_drive.53(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_drive.54(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.190 = alloca ptr, align 8
   store ptr null, ptr %.190, align 8
@@ -7304,7 +7346,7 @@ B56.if:
   %.176 = load i64, ptr %.175, align 8
   %.178 = getelementptr i32, ptr %arg.rows, i64 %.176
   store ptr null, ptr %.190, align 8
-  %.194 = call i32 @pull.59(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.194 = call i32 @pull.60(ptr nonnull %.190, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.172, ptr %.178, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.194, label %B58.if [
     i32 -2, label %B58.endif
     i32 0, label %B58.endif
@@ -7323,7 +7365,7 @@ B58.endif:
   br i1 %exitcond.not, label %B266, label %B56.if
 }
 
-define internal i32 @pull_jacobian.56(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull_jacobian.57(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.363 = alloca ptr, align 8
   store ptr null, ptr %.363, align 8
@@ -7349,7 +7391,7 @@ B422:
   %.349 = getelementptr i8, ptr %2, i64 40
   %.350 = load i64, ptr %.349, align 8
   store ptr null, ptr %.363, align 8
-  %.367 = call i32 @pull.59(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
+  %.367 = call i32 @pull.60(ptr nonnull %.363, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %1, i64 1, i64 %.350, ptr %.170, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.weights, ptr %arg.Y_bar, ptr %arg.numbers_bar, ptr %arg.local, ptr %arg.out)
   switch i32 %.367, label %B422.if [
     i32 -2, label %B509
     i32 0, label %B509
@@ -7404,7 +7446,7 @@ B422.if:
   br label %common.ret
 }
 
-define internal i32 @pull.59(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @pull.60(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.results, ptr noalias %arg.places, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.weights, ptr noalias %arg.Y_bar, ptr noalias %arg.numbers_bar, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.229 = alloca ptr, align 8
   store ptr null, ptr %.229, align 8
@@ -7537,7 +7579,7 @@ B626.if:
   br i1 %exitcond.not, label %B240.loopexit, label %B626.if
 }
 
-define internal i32 @set_place.58(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.i, ptr noalias %arg.method, ptr noalias %arg.y, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride) noinline {
+define internal i32 @set_place.59(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, i64 %arg.i, ptr noalias %arg.method, ptr noalias %arg.y, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride) noinline {
 entry:
   %.44 = alloca ptr, align 8
   store ptr null, ptr %.44, align 8
@@ -7662,7 +7704,7 @@ B318.endif:
   br label %common.ret
 }
 
-define internal i32 @solve_stages.57(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @solve_stages.58(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, ptr noalias %arg.method, double %arg.time, double %arg.h, ptr noalias %arg.y, ptr noalias %arg.Y, ptr noalias %arg.drift, ptr noalias %arg.lu, ptr noalias %arg.stages, ptr noalias %arg.place_, i64 %arg.stride, ptr noalias %arg.right, ptr noalias %arg.after, ptr noalias %arg.x, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.219 = alloca ptr, align 8
   store ptr null, ptr %.219, align 8
@@ -7727,7 +7769,7 @@ B72.if:
   %.111.080 = phi i64 [ 0, %entry ], [ %.183, %B534.endif ]
   %.183 = add nuw nsw i64 %.111.080, 1
   store ptr null, ptr %.219, align 8
-  %.223 = call i32 @set_place.58(ptr nonnull %.219, ptr nonnull %excinfo.1, i64 %.84, i64 %.111.080, ptr %arg.method, ptr %arg.y, ptr %arg.stages, ptr %arg.place_, i64 %arg.stride)
+  %.223 = call i32 @set_place.59(ptr nonnull %.219, ptr nonnull %excinfo.1, i64 %.84, i64 %.111.080, ptr %arg.method, ptr %arg.y, ptr %arg.stages, ptr %arg.place_, i64 %arg.stride)
   switch i32 %.223, label %B74.if [
     i32 -2, label %B74.endif
     i32 0, label %B74.endif
@@ -7842,11 +7884,11 @@ B534.endif:
 define i64 @forward(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, i64 %a30, ptr %a31, i64 %a32, ptr %a33, ptr %a34, ptr %a35) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @forward.60(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, i64 %a30, ptr %a31, i64 %a32, ptr %a33, ptr %a34, ptr %a35)
+  %1 = call i32 @forward.61(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, i64 %a9, ptr %a10, ptr %a11, ptr %a12, ptr %a13, ptr %a14, i64 %a15, ptr %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, i64 %a22, i64 %a23, ptr %a24, i64 %a25, i64 %a26, ptr %a27, ptr %a28, ptr %a29, i64 %a30, ptr %a31, i64 %a32, ptr %a33, ptr %a34, ptr %a35)
   ret i64 0
 }
 
-define internal i32 @forward.60(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, i64 %arg.step_length, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @forward.61(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.drive_rows, ptr noalias %arg.drive_columns, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, i64 %arg.entry_count, ptr noalias %arg.entry_rows, ptr noalias %arg.entry_columns, ptr noalias %arg.entry_places, ptr noalias %arg.mass, ptr noalias %arg.method, ptr noalias %arg.record, i64 %arg.step_count, i64 %arg.step_length, ptr noalias %arg.edges, i64 %arg.edge_count, i64 %arg.directions, ptr noalias %arg.Y, ptr noalias %arg.y_dot, ptr noalias %arg.Y_dot, i64 %arg.Y_length, ptr noalias %arg.numbers_dot, i64 %arg.numbers_length, ptr noalias %arg.ends_dot, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
   %.243 = alloca i64, align 8
   store i64 0, ptr %.243, align 8
@@ -8022,7 +8064,7 @@ entry:
   %.229 = getelementptr double, ptr %.221, i64 %.227
   %.237 = getelementptr double, ptr %.229, i64 %.227
   store i64 0, ptr %.243, align 8
-  %.247 = call i32 @moving_groups.61(ptr nonnull %.243, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
+  %.247 = call i32 @moving_groups.62(ptr nonnull %.243, ptr nonnull %excinfo.1, ptr nonnull %arg.layout)
   switch i32 %.247, label %B0.if [
     i32 -2, label %B0.endif
     i32 0, label %B0.endif
@@ -8088,7 +8130,7 @@ B1408:
   %.642 = load double, ptr %.641, align 8
   %.644 = getelementptr i8, ptr %.633, i64 24
   store ptr null, ptr %.748, align 8
-  %.752 = call i32 @replay.49(ptr nonnull %.748, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.633, i64 %arg.step_length, ptr %arg.Y, ptr %arg.work, ptr %.143, ptr %.193, ptr %.203, ptr %.160, ptr %.187, ptr %.152, ptr %.156, ptr %.173, ptr %.180, ptr %.221, ptr %.229)
+  %.752 = call i32 @replay.50(ptr nonnull %.748, ptr nonnull %excinfo.4, ptr nonnull %arg.layout, ptr %arg.kernels, ptr %arg.idx, ptr %arg.rows, ptr %arg.pos, ptr %arg.numbers, ptr %arg.drive_rows, ptr %arg.drive_columns, i64 %arg.blocks, ptr %arg.own, ptr %arg.slots, ptr %arg.lu_start, ptr %arg.lu_columns, ptr %arg.diagonal, ptr %arg.mass, ptr %arg.method, ptr nonnull %.633, i64 %arg.step_length, ptr %arg.Y, ptr %arg.work, ptr %.143, ptr %.193, ptr %.203, ptr %.160, ptr %.187, ptr %.152, ptr %.156, ptr %.173, ptr %.180, ptr %.221, ptr %.229)
   switch i32 %.752, label %B1408.if [
     i32 -2, label %B1408.endif
     i32 0, label %B1408.endif
@@ -8108,7 +8150,7 @@ B2046:
   %.1251.idx = shl i64 %.1001.01128, 4
   %.1251 = getelementptr i8, ptr %arg.ends_dot, i64 %.1251.idx
   store double 0.000000e+00, ptr %.1253, align 8
-  %.1257 = call i32 @begin_rate.62(ptr nonnull %.1253, ptr nonnull %excinfo.7, i64 %.578.sroa.0.01183, ptr %.1251)
+  %.1257 = call i32 @begin_rate.63(ptr nonnull %.1253, ptr nonnull %excinfo.7, i64 %.578.sroa.0.01183, ptr %.1251)
   switch i32 %.1257, label %B2046.if [
     i32 -2, label %B2046.endif
     i32 0, label %B2046.endif
@@ -8166,7 +8208,7 @@ B3600.preheader:
 
 B4020:
   store i64 0, ptr %.3033, align 8
-  %.3037 = call i32 @moving_groups.61(ptr nonnull %.3033, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
+  %.3037 = call i32 @moving_groups.62(ptr nonnull %.3033, ptr nonnull %excinfo.22, ptr nonnull %arg.layout)
   switch i32 %.3037, label %B4020.if [
     i32 -2, label %B4020.endif
     i32 0, label %B4020.endif
@@ -8178,7 +8220,7 @@ B4330:
 
 B4334:
   store ptr null, ptr %.3276, align 8
-  %.3280 = call i32 @multiply_sides.63(ptr nonnull %.3276, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.193, ptr %.311, ptr %.1829, ptr %.277, ptr %.287)
+  %.3280 = call i32 @multiply_sides.64(ptr nonnull %.3276, ptr nonnull %excinfo.24, i64 %arg.entry_count, ptr %arg.entry_rows, ptr %arg.entry_columns, ptr %arg.entry_places, ptr %.193, ptr %.311, ptr %.1829, ptr %.277, ptr %.287)
   switch i32 %.3280, label %B4334.if [
     i32 -2, label %B4334.endif
     i32 0, label %B4334.endif
@@ -8287,7 +8329,7 @@ B1236.if:
   %.346.01109 = phi i64 [ %.415, %B1238.endif.endif ], [ 0, %B0.endif ]
   %.415 = add nuw nsw i64 %.346.01109, 1
   store i64 0, ptr %.447, align 8
-  %.451 = call i32 @moving_groups.61(ptr nonnull %.447, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
+  %.451 = call i32 @moving_groups.62(ptr nonnull %.447, ptr nonnull %excinfo.2, ptr nonnull %arg.layout)
   switch i32 %.451, label %B1238.if [
     i32 -2, label %B1238.endif
     i32 0, label %B1238.endif
@@ -8307,7 +8349,7 @@ B1238.endif:
   %.471 = mul nsw i64 %.461, %.346.01109
   %.473 = getelementptr double, ptr %.237, i64 %.471
   store ptr null, ptr %.475, align 8
-  %.479 = call i32 @mark_moving.64(ptr nonnull %.475, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.444, ptr %.473)
+  %.479 = call i32 @mark_moving.65(ptr nonnull %.475, ptr nonnull %excinfo.3, ptr nonnull %arg.layout, ptr %.444, ptr %.473)
   switch i32 %.479, label %B1238.endif.if [
     i32 -2, label %B1238.endif.endif
     i32 0, label %B1238.endif.endif
@@ -8406,7 +8448,7 @@ B2046.endif:
   store double %.1267, ptr %.1279, align 8
   %.1284 = getelementptr double, ptr %.1103, i64 %.112
   store ptr null, ptr %.1295, align 8
-  %.1299 = call i32 @push_drive.45(ptr nonnull %.1295, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1103, ptr %.1108, ptr %.1284, ptr %.221, ptr %.229)
+  %.1299 = call i32 @push_drive.46(ptr nonnull %.1295, ptr nonnull %excinfo.8, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.1103, ptr %.1108, ptr %.1284, ptr %.221, ptr %.229)
   switch i32 %.1299, label %B2046.endif.if [
     i32 -2, label %B2046.endif.endif
     i32 0, label %B2046.endif.endif
@@ -8421,7 +8463,7 @@ B2046.endif.if:
 
 B2046.endif.endif:
   store ptr null, ptr %.1331, align 8
-  %.1335 = call i32 @push_drive.65(ptr nonnull %.1331, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1103, ptr %.1108, ptr %.212, ptr %.221, ptr %.229)
+  %.1335 = call i32 @push_drive.66(ptr nonnull %.1331, ptr nonnull %excinfo.9, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 1, ptr %.1103, ptr %.1108, ptr %.212, ptr %.221, ptr %.229)
   switch i32 %.1335, label %B2046.endif.endif.if [
     i32 -2, label %B2046.endif.endif.endif
     i32 0, label %B2046.endif.endif.endif
@@ -8436,7 +8478,7 @@ B2046.endif.endif.if:
 
 B2046.endif.endif.endif:
   store ptr null, ptr %.1367, align 8
-  %.1371 = call i32 @push_jacobian.66(ptr nonnull %.1367, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1103, ptr %.1108, ptr %.198, ptr %.221, ptr %.229)
+  %.1371 = call i32 @push_jacobian.67(ptr nonnull %.1367, ptr nonnull %excinfo.10, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.pos, ptr %arg.numbers, ptr %arg.Y, ptr %.1103, ptr %.1108, ptr %.198, ptr %.221, ptr %.229)
   switch i32 %.1371, label %B2046.endif.endif.endif.if [
     i32 -2, label %B2046.endif.endif.endif.endif
     i32 0, label %B2046.endif.endif.endif.endif
@@ -8643,7 +8685,7 @@ B3352.endif:
   %.2606 = load double, ptr %.2605, align 8
   %.2611 = fdiv contract double %.2606, %.642
   store ptr null, ptr %.2615, align 8
-  %.2619 = call i32 @add_masses.67(ptr nonnull %.2615, ptr nonnull %excinfo.18, i64 %.112, ptr %arg.mass, double %.2611, ptr %.2564, ptr %.287)
+  %.2619 = call i32 @add_masses.68(ptr nonnull %.2615, ptr nonnull %excinfo.18, i64 %.112, ptr %arg.mass, double %.2611, ptr %.2564, ptr %.287)
   switch i32 %.2619, label %B3352.endif.endif.if [
     i32 -2, label %B3352.endif.endif.endif
     i32 0, label %B3352.endif.endif.endif
@@ -8670,7 +8712,7 @@ B3602.if:
   %.2785.idx = shl i64 %.2668.01153, 4
   %.2785 = getelementptr i8, ptr %arg.ends_dot, i64 %.2785.idx
   store double 0.000000e+00, ptr %.2789, align 8
-  %.2793 = call i32 @size_rate.68(ptr nonnull %.2789, ptr nonnull %excinfo.19, i64 %.578.sroa.0.01183, i64 %arg.step_count, ptr %.2785)
+  %.2793 = call i32 @size_rate.69(ptr nonnull %.2789, ptr nonnull %excinfo.19, i64 %.578.sroa.0.01183, i64 %arg.step_count, ptr %.2785)
   %.2803 = load double, ptr %.2789, align 8
   switch i32 %.2793, label %B3604.if [
     i32 -2, label %B3604.endif
@@ -8686,7 +8728,7 @@ B3604.if:
 
 B3604.endif:
   store double 0.000000e+00, ptr %.2818, align 8
-  %.2822 = call i32 @begin_rate.62(ptr nonnull %.2818, ptr nonnull %excinfo.20, i64 %.578.sroa.0.01183, ptr %.2785)
+  %.2822 = call i32 @begin_rate.63(ptr nonnull %.2818, ptr nonnull %excinfo.20, i64 %.578.sroa.0.01183, ptr %.2785)
   switch i32 %.2822, label %B3604.endif.if [
     i32 -2, label %B3604.endif.endif
     i32 0, label %B3604.endif.endif
@@ -8708,7 +8750,7 @@ B3604.endif.endif:
   store double %.2849, ptr %.2852, align 8
   %.2857 = getelementptr double, ptr %.2770, i64 %.112
   store ptr null, ptr %.2868, align 8
-  %.2872 = call i32 @push_drive.45(ptr nonnull %.2868, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2770, ptr %.2775, ptr %.2857, ptr %.221, ptr %.229)
+  %.2872 = call i32 @push_drive.46(ptr nonnull %.2868, ptr nonnull %excinfo.21, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, i64 0, ptr %.2770, ptr %.2775, ptr %.2857, ptr %.221, ptr %.229)
   switch i32 %.2872, label %B3604.endif.endif.if [
     i32 -2, label %B3604.endif.endif.endif
     i32 0, label %B3604.endif.endif.endif
@@ -8751,7 +8793,7 @@ B4020.endif:
   %.3060 = getelementptr double, ptr %.237, i64 %.3058
   %.3063 = getelementptr double, ptr %.287, i64 %.2668.01153
   store ptr null, ptr %.3073, align 8
-  %.3077 = call i32 @push_numbers.69(ptr nonnull %.3073, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2775, ptr %.3060, ptr %.3063, ptr %.221, ptr %.229)
+  %.3077 = call i32 @push_numbers.70(ptr nonnull %.3073, ptr nonnull %excinfo.23, ptr nonnull %arg.layout, ptr %arg.derived, ptr %arg.idx, ptr %arg.rows, ptr %arg.numbers, ptr %arg.Y, ptr %.2775, ptr %.3060, ptr %.3063, ptr %.221, ptr %.229)
   switch i32 %.3077, label %B4020.endif.if [
     i32 -2, label %B4020.endif.endif
     i32 0, label %B4020.endif.endif
@@ -8819,7 +8861,7 @@ B4410.if:
   %.3440.idx = shl nsw i64 %.3437, 6
   %.3440 = getelementptr i8, ptr %.287, i64 %.3440.idx
   store ptr null, ptr %.3441, align 8
-  %.3445 = call i32 @add_scaled.70(ptr nonnull %.3441, ptr nonnull %excinfo.25, i64 8, double %.3426, ptr %.3433, ptr %.3440)
+  %.3445 = call i32 @add_scaled.71(ptr nonnull %.3441, ptr nonnull %excinfo.25, i64 8, double %.3426, ptr %.3433, ptr %.3440)
   switch i32 %.3445, label %B4412.if [
     i32 -2, label %B4412.endif
     i32 0, label %B4412.endif
@@ -8868,7 +8910,7 @@ B4974.if:
   %.3760 = getelementptr double, ptr %arg.edges, i64 %.3659.01174
   %.3761 = load double, ptr %.3760, align 8
   store double 0.000000e+00, ptr %.3763, align 8
-  %.3767 = call i32 @part_done.54(ptr nonnull %.3763, ptr nonnull %excinfo.28, double %.3761, ptr nonnull %.633)
+  %.3767 = call i32 @part_done.55(ptr nonnull %.3763, ptr nonnull %excinfo.28, double %.3761, ptr nonnull %.633)
   %.3777 = load double, ptr %.3763, align 8
   switch i32 %.3767, label %B4976.if [
     i32 -2, label %B4976.endif
@@ -8884,7 +8926,7 @@ B4976.if:
 
 B4976.endif:
   store ptr null, ptr %.3801, align 8
-  %.3805 = call i32 @dense_rate.51(ptr nonnull %.3801, ptr nonnull %excinfo.29, i64 %.112, ptr %arg.method, double %.3777, ptr %.644, ptr %.3794, ptr %arg.work, ptr %.152)
+  %.3805 = call i32 @dense_rate.52(ptr nonnull %.3801, ptr nonnull %excinfo.29, i64 %.112, ptr %arg.method, double %.3777, ptr %.644, ptr %.3794, ptr %arg.work, ptr %.152)
   switch i32 %.3805, label %B4976.endif.if [
     i32 -2, label %B4976.endif.endif
     i32 0, label %B4976.endif.endif
@@ -8926,7 +8968,7 @@ B5258.if:
   %.3988.01163 = phi i64 [ %.4057, %B5260.endif.endif ], [ 0, %B5258.if.preheader ]
   %.4057 = add nuw nsw i64 %.3988.01163, 1
   store double 0.000000e+00, ptr %.4085, align 8
-  %.4089 = call i32 @dense_weight.55(ptr nonnull %.4085, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3988.01163, double %.3777)
+  %.4089 = call i32 @dense_weight.56(ptr nonnull %.4085, ptr nonnull %excinfo.30, ptr %arg.method, i64 %.3988.01163, double %.3777)
   switch i32 %.4089, label %B5260.if [
     i32 -2, label %B5260.endif
     i32 0, label %B5260.endif
@@ -8967,7 +9009,7 @@ B5430.if:
   %.4271.idx = shl i64 %.4171.01171, 4
   %.4271 = getelementptr i8, ptr %arg.ends_dot, i64 %.4271.idx
   store double 0.000000e+00, ptr %.4274, align 8
-  %.4278 = call i32 @begin_rate.62(ptr nonnull %.4274, ptr nonnull %excinfo.32, i64 %.578.sroa.0.01183, ptr %.4271)
+  %.4278 = call i32 @begin_rate.63(ptr nonnull %.4274, ptr nonnull %excinfo.32, i64 %.578.sroa.0.01183, ptr %.4271)
   %.4288 = load double, ptr %.4274, align 8
   switch i32 %.4278, label %B5432.if [
     i32 -2, label %B5432.endif
@@ -8983,7 +9025,7 @@ B5432.if:
 
 B5432.endif:
   store double 0.000000e+00, ptr %.4301, align 8
-  %.4305 = call i32 @size_rate.68(ptr nonnull %.4301, ptr nonnull %excinfo.33, i64 %.578.sroa.0.01183, i64 %arg.step_count, ptr %.4271)
+  %.4305 = call i32 @size_rate.69(ptr nonnull %.4301, ptr nonnull %excinfo.33, i64 %.578.sroa.0.01183, i64 %arg.step_count, ptr %.4271)
   switch i32 %.4305, label %B5432.endif.if [
     i32 -2, label %B5432.endif.endif
     i32 0, label %B5432.endif.endif
@@ -9041,7 +9083,7 @@ B5714.endif:
   br i1 %.588, label %B1408, label %B5772
 }
 
-define internal i32 @moving_groups.61(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
+define internal i32 @moving_groups.62(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout) noinline {
 entry:
   %.11 = getelementptr i8, ptr %arg.layout, i64 32
   %.12 = load i64, ptr %.11, align 8
@@ -9076,7 +9118,7 @@ B60.if:
   br i1 %.146.not, label %B188, label %B150
 }
 
-define internal i32 @begin_rate.62(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
+define internal i32 @begin_rate.63(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, ptr noalias %arg.ends) noinline {
 entry:
   %.8 = icmp eq i64 %arg.step, 0
   br i1 %.8, label %B16, label %B34
@@ -9091,7 +9133,7 @@ B34:
   ret i32 0
 }
 
-define internal i32 @size_rate.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
+define internal i32 @size_rate.69(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.step, i64 %arg.count, ptr noalias %arg.ends) noinline {
 entry:
   %.31 = alloca double, align 8
   store double 0.000000e+00, ptr %.31, align 8
@@ -9109,7 +9151,7 @@ B22:
 B40:
   %"$phi40.0.2.0" = phi double [ %.17, %B22 ], [ 0.000000e+00, %entry ]
   store double 0.000000e+00, ptr %.31, align 8
-  %.35 = call i32 @begin_rate.62(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
+  %.35 = call i32 @begin_rate.63(ptr nonnull %.31, ptr nonnull %excinfo.1, i64 %arg.step, ptr %arg.ends)
   switch i32 %.35, label %B40.if [
     i32 -2, label %B40.endif
     i32 0, label %B40.endif
@@ -9133,7 +9175,7 @@ B40.endif:
   br label %common.ret
 }
 
-define internal i32 @multiply_sides.63(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
+define internal i32 @multiply_sides.64(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.rows, ptr noalias %arg.columns, ptr noalias %arg.places, ptr noalias %arg.J, ptr noalias %arg.entries_dot, ptr noalias %arg.stage, ptr noalias %arg.place_dot, ptr noalias %arg.sides) noinline {
 entry:
   %.11082.not = icmp slt i64 %arg.count, 1
   br i1 %.11082.not, label %B314, label %B34.if
@@ -9188,7 +9230,7 @@ B198.if:
   br i1 %exitcond.not, label %B34.loopexit, label %B198.if
 }
 
-define internal i32 @add_scaled.70(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
+define internal i32 @add_scaled.71(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) {
 entry:
   br label %B34.if
 
@@ -9210,7 +9252,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @mark_moving.64(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
+define internal i32 @mark_moving.65(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving) noinline {
 entry:
   %.17 = getelementptr i8, ptr %arg.layout, i64 32
   %.18 = load i64, ptr %.17, align 8
@@ -9290,7 +9332,7 @@ B364.if:
   br i1 %.439, label %B398, label %B408
 }
 
-define internal i32 @push_drive.65(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_drive.66(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, i64 %arg.which, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.rates_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.319 = alloca ptr, align 8
   store ptr null, ptr %.319, align 8
@@ -9360,7 +9402,7 @@ B248.if:
   %.213.0124 = phi i64 [ 0, %B248.if.lr.ph ], [ %.282, %B248.loopexit ]
   %.282 = add nuw nsw i64 %.213.0124, 1
   store ptr null, ptr %.319, align 8
-  %.323 = call i32 @push.71(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.323 = call i32 @push.72(ptr nonnull %.319, ptr nonnull %excinfo.1, ptr %arg.layout, i64 %.167, i64 %arg.which, i64 %.213.0124, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.323, label %B250.if [
     i32 -2, label %B250.endif
     i32 0, label %B250.endif
@@ -9394,7 +9436,7 @@ B406.if:
   br i1 %.485, label %B456, label %B490
 }
 
-define internal i32 @push_jacobian.66(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_jacobian.67(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.pos, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.J_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.350 = alloca ptr, align 8
   store ptr null, ptr %.350, align 8
@@ -9488,7 +9530,7 @@ B566.if:
   %.405.0127 = phi i64 [ %.474, %B568.endif.endif ], [ 0, %B508 ]
   %.474 = add nuw nsw i64 %.405.0127, 1
   store ptr null, ptr %.510, align 8
-  %.514 = call i32 @push.71(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
+  %.514 = call i32 @push.72(ptr nonnull %.510, ptr nonnull %excinfo.2, ptr %arg.layout, i64 %2, i64 1, i64 %.405.0127, ptr %arg.derived, ptr %arg.idx, ptr %arg.numbers, ptr %arg.Y, ptr %arg.Y_dot, ptr %arg.numbers_dot, ptr %arg.local, ptr %arg.out)
   switch i32 %.514, label %B568.if [
     i32 -2, label %B568.endif
     i32 0, label %B568.endif
@@ -9523,7 +9565,7 @@ B568.endif.endif:
   br i1 %exitcond.not, label %B699, label %B566.if
 }
 
-define internal i32 @add_masses.67(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
+define internal i32 @add_masses.68(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.mass, double %arg.factor, ptr noalias %arg.x, ptr noalias %arg.y) noinline {
 entry:
   %.9874.not = icmp slt i64 %arg.n, 1
   br i1 %.9874.not, label %B202, label %B34.if
@@ -9560,7 +9602,7 @@ B100.if:
   br i1 %exitcond.not, label %B34.loopexit, label %B100.if
 }
 
-define internal i32 @push_numbers.69(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push_numbers.70(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.numbers_dot, ptr noalias %arg.moving, ptr noalias %arg.r_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.596 = alloca ptr, align 8
   store ptr null, ptr %.596, align 8
@@ -9773,7 +9815,7 @@ B1262.if:
   br i1 %.1051, label %B1312, label %B1384
 }
 
-define internal i32 @push.71(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
+define internal i32 @push.72(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, i64 %arg.table, i64 %arg.which, i64 %arg.group, ptr noalias %arg.derived, ptr noalias %arg.idx, ptr noalias %arg.numbers, ptr noalias %arg.Y, ptr noalias %arg.Y_dot, ptr noalias %arg.numbers_dot, ptr noalias %arg.local, ptr noalias %arg.out) noinline {
 entry:
   %.69 = alloca ptr, align 8
   store ptr null, ptr %.69, align 8
@@ -9865,12 +9907,12 @@ B396.if.lr.ph:
 define i64 @run_tape(i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @run_tape.72(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
+  %1 = call i32 @run_tape.73(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, i64 %a8, ptr %a9, ptr %a10)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @run_tape.72(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
+define internal i32 @run_tape.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, ptr noalias %arg.code, ptr noalias %arg.constants, ptr noalias %arg.starts, ptr noalias %arg.strides, ptr noalias %arg.given, ptr noalias %arg.to, ptr noalias %arg.hops, i64 %arg.rows, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
   %.166 = alloca i64, align 8
   store i64 0, ptr %.166, align 8
@@ -10054,7 +10096,7 @@ B52:
   %.61.1404 = phi i64 [ 6, %B52.lr.ph ], [ %.61.1, %B48.loopexit ]
   %.163 = sub nsw i64 %arg.rows, %.110.sroa.0.0406
   store i64 0, ptr %.166, align 8
-  %.172 = call i32 @numba.73(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 6, i64 %.163)
+  %.172 = call i32 @numba.74(ptr nonnull %.166, ptr nonnull %excinfo.1, i64 6, i64 %.163)
   %.182 = load i64, ptr %.166, align 8
   switch i32 %.172, label %B52.if [
     i32 -2, label %B52.endif
@@ -10066,7 +10108,7 @@ B310:
   %.370 = getelementptr double, ptr %arg.constants, i64 %.369
   %.371 = load double, ptr %.370, align 8
   store ptr null, ptr %.376, align 8
-  %.380 = call i32 @fill.74(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
+  %.380 = call i32 @fill.75(ptr nonnull %.376, ptr nonnull %excinfo.2, i64 %.182, double %.371, ptr %.352)
   switch i32 %.380, label %B310.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10082,7 +10124,7 @@ B380:
   %0 = getelementptr double, ptr %arg.given, i64 %.418
   %.428 = getelementptr double, ptr %0, i64 %.425
   store ptr null, ptr %.438, align 8
-  %.442 = call i32 @pick.75(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
+  %.442 = call i32 @pick.76(ptr nonnull %.438, ptr nonnull %excinfo.3, i64 %.182, ptr %.428, i64 %.423, ptr %.352)
   switch i32 %.442, label %B380.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10147,7 +10189,7 @@ B612:
   %1 = getelementptr double, ptr %arg.found, i64 %.505
   %.517 = getelementptr double, ptr %1, i64 %.514
   store ptr null, ptr %.520, align 8
-  %.524 = call i32 @put.76(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
+  %.524 = call i32 @put.77(ptr nonnull %.520, ptr nonnull %excinfo.4, i64 %.182, ptr %.471, i64 %.500, ptr %.517)
   switch i32 %.524, label %B612.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10155,7 +10197,7 @@ B612:
 
 B750:
   store ptr null, ptr %.563, align 8
-  %.567 = call i32 @each_same.77(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
+  %.567 = call i32 @each_same.78(ptr nonnull %.563, ptr nonnull %excinfo.5, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.567, label %B750.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10163,7 +10205,7 @@ B750:
 
 B810:
   store ptr null, ptr %.605, align 8
-  %.609 = call i32 @each_add.78(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.609 = call i32 @each_add.79(ptr nonnull %.605, ptr nonnull %excinfo.6, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.609, label %B810.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10171,7 +10213,7 @@ B810:
 
 B872:
   store ptr null, ptr %.649, align 8
-  %.653 = call i32 @each_sub.79(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.653 = call i32 @each_sub.80(ptr nonnull %.649, ptr nonnull %excinfo.7, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.653, label %B872.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10179,7 +10221,7 @@ B872:
 
 B934:
   store ptr null, ptr %.693, align 8
-  %.697 = call i32 @each_mul.80(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.697 = call i32 @each_mul.81(ptr nonnull %.693, ptr nonnull %excinfo.8, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.697, label %B934.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10187,7 +10229,7 @@ B934:
 
 B996:
   store ptr null, ptr %.737, align 8
-  %.741 = call i32 @each_div.81(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.741 = call i32 @each_div.82(ptr nonnull %.737, ptr nonnull %excinfo.9, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.741, label %B996.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10195,7 +10237,7 @@ B996:
 
 B1058:
   store ptr null, ptr %.782, align 8
-  %.786 = call i32 @each_neg.82(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
+  %.786 = call i32 @each_neg.83(ptr nonnull %.782, ptr nonnull %excinfo.10, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.786, label %B1058.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10203,7 +10245,7 @@ B1058:
 
 B1118:
   store ptr null, ptr %.826, align 8
-  %.830 = call i32 @each_mul.80(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  %.830 = call i32 @each_mul.81(ptr nonnull %.826, ptr nonnull %excinfo.11, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
   switch i32 %.830, label %B1118.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10211,7 +10253,7 @@ B1118:
 
 B1180:
   store ptr null, ptr %.870, align 8
-  %.874 = call i32 @each_add.78(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
+  %.874 = call i32 @each_add.79(ptr nonnull %.870, ptr nonnull %excinfo.12, i64 %.182, ptr %.471, ptr %.471, ptr %.352)
   switch i32 %.874, label %B1180.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10219,7 +10261,7 @@ B1180:
 
 B1242:
   store ptr null, ptr %.913, align 8
-  %.917 = call i32 @each_inv.83(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
+  %.917 = call i32 @each_inv.84(ptr nonnull %.913, ptr nonnull %excinfo.13, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.917, label %B1242.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10227,7 +10269,7 @@ B1242:
 
 B1302:
   store ptr null, ptr %.956, align 8
-  %.960 = call i32 @each_sqrt.84(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
+  %.960 = call i32 @each_sqrt.85(ptr nonnull %.956, ptr nonnull %excinfo.14, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.960, label %B1302.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10235,7 +10277,7 @@ B1302:
 
 B1362:
   store ptr null, ptr %.999, align 8
-  %.1003 = call i32 @each_fabs.85(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
+  %.1003 = call i32 @each_fabs.86(ptr nonnull %.999, ptr nonnull %excinfo.15, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1003, label %B1362.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10243,7 +10285,7 @@ B1362:
 
 B1422:
   store ptr null, ptr %.1042, align 8
-  %.1046 = call i32 @each_exp.86(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
+  %.1046 = call i32 @each_exp.87(ptr nonnull %.1042, ptr nonnull %excinfo.16, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1046, label %B1422.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10251,7 +10293,7 @@ B1422:
 
 B1482:
   store ptr null, ptr %.1085, align 8
-  %.1089 = call i32 @each_log.87(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
+  %.1089 = call i32 @each_log.88(ptr nonnull %.1085, ptr nonnull %excinfo.17, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1089, label %B1482.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10259,7 +10301,7 @@ B1482:
 
 B1542:
   store ptr null, ptr %.1127, align 8
-  %.1131 = call i32 @each_pow.88(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1131 = call i32 @each_pow.89(ptr nonnull %.1127, ptr nonnull %excinfo.18, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1131, label %B1542.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10267,7 +10309,7 @@ B1542:
 
 B1604:
   store ptr null, ptr %.1172, align 8
-  %.1176 = call i32 @each_sin.89(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
+  %.1176 = call i32 @each_sin.90(ptr nonnull %.1172, ptr nonnull %excinfo.19, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1176, label %B1604.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10275,7 +10317,7 @@ B1604:
 
 B1664:
   store ptr null, ptr %.1215, align 8
-  %.1219 = call i32 @each_cos.90(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
+  %.1219 = call i32 @each_cos.91(ptr nonnull %.1215, ptr nonnull %excinfo.20, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1219, label %B1664.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10283,7 +10325,7 @@ B1664:
 
 B1724:
   store ptr null, ptr %.1258, align 8
-  %.1262 = call i32 @each_tan.91(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
+  %.1262 = call i32 @each_tan.92(ptr nonnull %.1258, ptr nonnull %excinfo.21, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1262, label %B1724.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10291,7 +10333,7 @@ B1724:
 
 B1784:
   store ptr null, ptr %.1301, align 8
-  %.1305 = call i32 @each_asin.92(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
+  %.1305 = call i32 @each_asin.93(ptr nonnull %.1301, ptr nonnull %excinfo.22, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1305, label %B1784.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10299,7 +10341,7 @@ B1784:
 
 B1844:
   store ptr null, ptr %.1344, align 8
-  %.1348 = call i32 @each_acos.93(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
+  %.1348 = call i32 @each_acos.94(ptr nonnull %.1344, ptr nonnull %excinfo.23, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1348, label %B1844.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10307,7 +10349,7 @@ B1844:
 
 B1904:
   store ptr null, ptr %.1387, align 8
-  %.1391 = call i32 @each_atan.94(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
+  %.1391 = call i32 @each_atan.95(ptr nonnull %.1387, ptr nonnull %excinfo.24, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1391, label %B1904.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10315,7 +10357,7 @@ B1904:
 
 B1964:
   store ptr null, ptr %.1429, align 8
-  %.1433 = call i32 @each_atan_of_two.95(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1433 = call i32 @each_atan_of_two.96(ptr nonnull %.1429, ptr nonnull %excinfo.25, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1433, label %B1964.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10323,7 +10365,7 @@ B1964:
 
 B2026:
   store ptr null, ptr %.1474, align 8
-  %.1478 = call i32 @each_sinh.96(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
+  %.1478 = call i32 @each_sinh.97(ptr nonnull %.1474, ptr nonnull %excinfo.26, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1478, label %B2026.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10331,7 +10373,7 @@ B2026:
 
 B2086:
   store ptr null, ptr %.1517, align 8
-  %.1521 = call i32 @each_cosh.97(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
+  %.1521 = call i32 @each_cosh.98(ptr nonnull %.1517, ptr nonnull %excinfo.27, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1521, label %B2086.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10339,7 +10381,7 @@ B2086:
 
 B2146:
   store ptr null, ptr %.1560, align 8
-  %.1564 = call i32 @each_tanh.98(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
+  %.1564 = call i32 @each_tanh.99(ptr nonnull %.1560, ptr nonnull %excinfo.28, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1564, label %B2146.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10347,7 +10389,7 @@ B2146:
 
 B2206:
   store ptr null, ptr %.1602, align 8
-  %.1606 = call i32 @each_less.99(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1606 = call i32 @each_less.100(ptr nonnull %.1602, ptr nonnull %excinfo.29, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1606, label %B2206.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10355,7 +10397,7 @@ B2206:
 
 B2268:
   store ptr null, ptr %.1646, align 8
-  %.1650 = call i32 @each_less_or_equal.100(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1650 = call i32 @each_less_or_equal.101(ptr nonnull %.1646, ptr nonnull %excinfo.30, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1650, label %B2268.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10363,7 +10405,7 @@ B2268:
 
 B2330:
   store ptr null, ptr %.1690, align 8
-  %.1694 = call i32 @each_equal.101(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1694 = call i32 @each_equal.102(ptr nonnull %.1690, ptr nonnull %excinfo.31, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1694, label %B2330.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10371,7 +10413,7 @@ B2330:
 
 B2392:
   store ptr null, ptr %.1734, align 8
-  %.1738 = call i32 @each_unequal.102(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1738 = call i32 @each_unequal.103(ptr nonnull %.1734, ptr nonnull %excinfo.32, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1738, label %B2392.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10379,7 +10421,7 @@ B2392:
 
 B2454:
   store ptr null, ptr %.1779, align 8
-  %.1783 = call i32 @each_not.103(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
+  %.1783 = call i32 @each_not.104(ptr nonnull %.1779, ptr nonnull %excinfo.33, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.1783, label %B2454.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10387,7 +10429,7 @@ B2454:
 
 B2514:
   store ptr null, ptr %.1821, align 8
-  %.1825 = call i32 @each_and.104(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1825 = call i32 @each_and.105(ptr nonnull %.1821, ptr nonnull %excinfo.34, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1825, label %B2514.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10395,7 +10437,7 @@ B2514:
 
 B2576:
   store ptr null, ptr %.1865, align 8
-  %.1869 = call i32 @each_or.105(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1869 = call i32 @each_or.106(ptr nonnull %.1865, ptr nonnull %excinfo.35, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1869, label %B2576.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10403,7 +10445,7 @@ B2576:
 
 B2638:
   store ptr null, ptr %.1909, align 8
-  %.1913 = call i32 @each_where.106(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1913 = call i32 @each_where.107(ptr nonnull %.1909, ptr nonnull %excinfo.36, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1913, label %B2638.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10411,7 +10453,7 @@ B2638:
 
 B2700:
   store ptr null, ptr %.1953, align 8
-  %.1957 = call i32 @each_smaller.107(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.1957 = call i32 @each_smaller.108(ptr nonnull %.1953, ptr nonnull %excinfo.37, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.1957, label %B2700.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10419,7 +10461,7 @@ B2700:
 
 B2762:
   store ptr null, ptr %.1997, align 8
-  %.2001 = call i32 @each_larger.108(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
+  %.2001 = call i32 @each_larger.109(ptr nonnull %.1997, ptr nonnull %excinfo.38, i64 %.182, ptr %.471, ptr %.479, ptr %.352)
   switch i32 %.2001, label %B2762.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10427,7 +10469,7 @@ B2762:
 
 B2824:
   store ptr null, ptr %.2042, align 8
-  %.2046 = call i32 @each_sign.109(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
+  %.2046 = call i32 @each_sign.110(ptr nonnull %.2042, ptr nonnull %excinfo.39, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2046, label %B2824.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10435,7 +10477,7 @@ B2824:
 
 B2884:
   store ptr null, ptr %.2083, align 8
-  %.2087 = call i32 @each_log_of_more.110(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
+  %.2087 = call i32 @each_log_of_more.111(ptr nonnull %.2083, ptr nonnull %excinfo.40, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2087, label %B2884.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10443,7 +10485,7 @@ B2884:
 
 B2944:
   store ptr null, ptr %.2124, align 8
-  %.2128 = call i32 @each_exp_less_one.111(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
+  %.2128 = call i32 @each_exp_less_one.112(ptr nonnull %.2124, ptr nonnull %excinfo.41, i64 %.182, ptr %.471, ptr %.352)
   switch i32 %.2128, label %B2944.if [
     i32 -2, label %B3005
     i32 0, label %B3005
@@ -10792,14 +10834,14 @@ B2944.if:
   br label %common.ret
 }
 
-define internal i32 @numba.73(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
+define internal i32 @numba.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.x.0, i64 %arg.x.1) {
 entry:
   %.11 = call i64 @llvm.smin.i64(i64 %arg.x.1, i64 %arg.x.0)
   store i64 %.11, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @fill.74(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
+define internal i32 @fill.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, double %arg.value, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B50, label %B34.if
@@ -10817,7 +10859,7 @@ B34.if:
   br i1 %exitcond.not, label %B50, label %B34.if
 }
 
-define internal i32 @pick.75(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
+define internal i32 @pick.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.stride, ptr noalias %arg.z) noinline {
 entry:
   %.9535.not = icmp slt i64 %arg.n, 1
   br i1 %.9535.not, label %B68, label %B34.if
@@ -10838,7 +10880,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @put.76(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
+define internal i32 @put.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, i64 %arg.hop, ptr noalias %arg.z) noinline {
 entry:
   %.9535.not = icmp slt i64 %arg.n, 1
   br i1 %.9535.not, label %B68, label %B34.if
@@ -10859,7 +10901,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @each_same.77(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_same.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B62, label %B34.if.preheader
@@ -10874,7 +10916,7 @@ B62:
   ret i32 0
 }
 
-define internal i32 @each_add.78(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_add.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10897,7 +10939,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_sub.79(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_sub.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10920,7 +10962,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_mul.80(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_mul.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10943,7 +10985,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_div.81(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_div.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B80, label %B34.if
@@ -10966,7 +11008,7 @@ B34.if:
   br i1 %exitcond.not, label %B80, label %B34.if
 }
 
-define internal i32 @each_neg.82(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_neg.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B64, label %B34.if
@@ -10987,7 +11029,7 @@ B34.if:
   br i1 %exitcond.not, label %B64, label %B34.if
 }
 
-define internal i32 @each_inv.83(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_inv.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B68, label %B34.if
@@ -11008,7 +11050,7 @@ B34.if:
   br i1 %exitcond.not, label %B68, label %B34.if
 }
 
-define internal i32 @each_sqrt.84(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sqrt.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11029,7 +11071,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_fabs.85(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_fabs.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11050,7 +11092,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_exp.86(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_exp.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11071,7 +11113,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_log.87(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_log.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11092,7 +11134,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_pow.88(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_pow.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B112, label %B34.if
@@ -11115,7 +11157,7 @@ B34.if:
   br i1 %exitcond.not, label %B112, label %B34.if
 }
 
-define internal i32 @each_sin.89(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sin.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11136,7 +11178,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_cos.90(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_cos.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11157,7 +11199,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_tan.91(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_tan.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11178,7 +11220,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_asin.92(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_asin.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11199,7 +11241,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_acos.93(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_acos.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11220,7 +11262,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_atan.94(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_atan.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11241,7 +11283,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_atan_of_two.95(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_atan_of_two.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9534.not = icmp slt i64 %arg.n, 1
   br i1 %.9534.not, label %B112, label %B34.if
@@ -11264,7 +11306,7 @@ B34.if:
   br i1 %exitcond.not, label %B112, label %B34.if
 }
 
-define internal i32 @each_sinh.96(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sinh.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11285,7 +11327,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_cosh.97(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_cosh.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11306,7 +11348,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_tanh.98(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_tanh.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11327,7 +11369,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_less.99(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_less.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11351,7 +11393,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_less_or_equal.100(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_less_or_equal.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11375,7 +11417,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_equal.101(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_equal.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11399,7 +11441,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_unequal.102(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_unequal.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11423,7 +11465,7 @@ B34.if:
   br i1 %exitcond.not, label %B90, label %B34.if
 }
 
-define internal i32 @each_not.103(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_not.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9237.not = icmp slt i64 %arg.n, 1
   br i1 %.9237.not, label %B78, label %B34.if
@@ -11445,7 +11487,7 @@ B34.if:
   br i1 %exitcond.not, label %B78, label %B34.if
 }
 
-define internal i32 @each_and.104(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_and.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B102, label %B34.if
@@ -11479,7 +11521,7 @@ B34.if:
   br i1 %.140, label %B62, label %B90
 }
 
-define internal i32 @each_or.105(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_or.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B102, label %B34.if
@@ -11513,7 +11555,7 @@ B34.if:
   br i1 %.140, label %B92, label %B62
 }
 
-define internal i32 @each_where.106(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_where.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9538.not = icmp slt i64 %arg.n, 1
   br i1 %.9538.not, label %B90, label %B34.if
@@ -11543,7 +11585,7 @@ B34.if:
   br i1 %.140, label %B62, label %B80
 }
 
-define internal i32 @each_smaller.107(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_smaller.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9542.not = icmp slt i64 %arg.n, 1
   br i1 %.9542.not, label %B150, label %B34.if
@@ -11569,7 +11611,7 @@ B34.if:
   br i1 %exitcond.not, label %B150, label %B34.if
 }
 
-define internal i32 @each_larger.108(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
+define internal i32 @each_larger.109(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.y, ptr noalias %arg.z) noinline {
 entry:
   %.9542.not = icmp slt i64 %arg.n, 1
   br i1 %.9542.not, label %B150, label %B34.if
@@ -11595,7 +11637,7 @@ B34.if:
   br i1 %exitcond.not, label %B150, label %B34.if
 }
 
-define internal i32 @each_sign.109(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_sign.110(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9239.not = icmp slt i64 %arg.n, 1
   br i1 %.9239.not, label %B118, label %B34.if
@@ -11619,7 +11661,7 @@ B34.if:
   br i1 %exitcond.not, label %B118, label %B34.if
 }
 
-define internal i32 @each_log_of_more.110(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_log_of_more.111(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11640,7 +11682,7 @@ B34.if:
   br i1 %exitcond.not, label %B98, label %B34.if
 }
 
-define internal i32 @each_exp_less_one.111(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
+define internal i32 @each_exp_less_one.112(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.x, ptr noalias %arg.z) noinline {
 entry:
   %.9234.not = icmp slt i64 %arg.n, 1
   br i1 %.9234.not, label %B98, label %B34.if
@@ -11694,11 +11736,11 @@ declare double @sqrt(double)
 define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow.112(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow.113(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow.112(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow.113(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
 entry:
   %.33 = mul nsw i64 %arg.channels, %arg.count
   %.119167.not = icmp slt i64 %.33, 1
@@ -11832,11 +11874,11 @@ B590.if:
 define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_turning.113(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow_turning.114(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow_turning.113(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow_turning.114(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
 entry:
   %.33 = mul nsw i64 %arg.channels, %arg.count
   %0 = call i64 @llvm.smax.i64(i64 %.33, i64 0)
@@ -12024,11 +12066,11 @@ B886.if:
 define i64 @have_signs(i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @have_signs.114(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @have_signs.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @have_signs.114(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
+define internal i32 @have_signs.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
 entry:
   %.32 = add i64 %arg.width, 1
   %.123287.not = icmp slt i64 %arg.matrices, 1
@@ -12201,12 +12243,12 @@ B630.if:
 define i64 @follow_equilibria(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_equilibria.115(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
+  %1 = call i32 @follow_equilibria.116(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @follow_equilibria.115(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @follow_equilibria.116(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
   %.291 = alloca ptr, align 8
   store ptr null, ptr %.291, align 8
@@ -12386,7 +12428,7 @@ B1384:
 B1482:
   %.1149 = load double, ptr %.1148, align 8
   store i64 0, ptr %.1155, align 8
-  %.1159 = call i32 @is_far.116(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
+  %.1159 = call i32 @is_far.117(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
   switch i32 %.1159, label %B1482.if [
     i32 -2, label %B1482.endif
     i32 0, label %B1482.endif
@@ -12470,7 +12512,7 @@ B712.endif.if:
 B712.endif.endif:
   %.552 = load double, ptr %.551, align 8
   store i64 0, ptr %.553, align 8
-  %.557 = call i32 @numba.117(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
+  %.557 = call i32 @numba.118(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
   switch i32 %.557, label %B712.endif.endif.if [
     i32 -2, label %B712.endif.endif.endif
     i32 0, label %B712.endif.endif.endif
@@ -12566,7 +12608,7 @@ B1220.if:
 
 B1220.endif:
   store double 0.000000e+00, ptr %.1025, align 8
-  %.1029 = call i32 @largest_of.118(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
+  %.1029 = call i32 @largest_of.119(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
   %.1039 = load double, ptr %.1025, align 8
   switch i32 %.1029, label %B1220.endif.if [
     i32 -2, label %B1220.endif.endif
@@ -12660,7 +12702,7 @@ B1560.endif.endif.endif:
   br i1 %.225, label %B458, label %B1744
 }
 
-define internal i32 @is_far.116(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
+define internal i32 @is_far.117(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
 entry:
   %.159 = alloca double, align 8
   store double 0.000000e+00, ptr %.159, align 8
@@ -12789,14 +12831,14 @@ B300.endif:
   br i1 %.317, label %B346, label %B350
 }
 
-define internal i32 @numba.117(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+define internal i32 @numba.118(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
 entry:
   %.5 = fptosi double %arg.x to i64
   store i64 %.5, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @largest_of.118(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
+define internal i32 @largest_of.119(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
 entry:
   %.160 = alloca double, align 8
   store double 0.000000e+00, ptr %.160, align 8

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from viscodesign.native.source.primitives import part
+
 SIDE = 8
 """Right sides that are solved for at once."""
 
@@ -138,13 +140,12 @@ def lu_solve_sides(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, 
         for d in range(SIDE):
             x[slots[i] * SIDE + d] = right[i * SIDE + d]
     for i in range(blocks):
-        at = 2 * i * SIDE
-        for p in range(lu_start[i], diagonal[i]):
-            subtract_product(lu, 4 * p, x, 2 * lu_columns[p] * SIDE, at)
+        own = part(x, 2 * i * SIDE)
+        subtract_products(lu_start[i], diagonal[i], lu, lu_columns, x, own)
     for i in range(blocks - 1, -1, -1):
         at, d = 2 * i * SIDE, 4 * diagonal[i]
-        for p in range(diagonal[i] + 1, lu_start[i + 1]):
-            subtract_product(lu, 4 * p, x, 2 * lu_columns[p] * SIDE, at)
+        own = part(x, at)
+        subtract_products(diagonal[i] + 1, lu_start[i + 1], lu, lu_columns, x, own)
         a, b, c, f = lu[d], lu[d + 1], lu[d + 2], lu[d + 3]
         for k in range(SIDE):
             first, second = x[at + k], x[at + SIDE + k]
@@ -155,10 +156,11 @@ def lu_solve_sides(n, slots, blocks, lu_start, lu_columns, diagonal, lu, right, 
             solution[i * SIDE + d] = x[slots[i] * SIDE + d]
 
 
-def subtract_product(lu, block, x, source, target):
-    """Subtract a block times a pair of rows of x from another pair."""
-    a, b, c, f = lu[block], lu[block + 1], lu[block + 2], lu[block + 3]
-    for k in range(SIDE):
-        first, second = x[source + k], x[source + SIDE + k]
-        x[target + k] -= a * first + b * second
-        x[target + SIDE + k] -= c * first + f * second
+def subtract_products(first, last, lu, lu_columns, x, own):
+    """own (2, SIDE) -= some blocks of a row times the pairs of rows of x, none of which it is."""
+    for p in range(first, last):
+        e, c = 4 * p, 2 * lu_columns[p] * SIDE
+        for k in range(SIDE):
+            one, two = x[c + k], x[c + SIDE + k]
+            own[k] -= lu[e] * one + lu[e + 1] * two
+            own[SIDE + k] -= lu[e + 2] * one + lu[e + 3] * two
