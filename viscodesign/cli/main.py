@@ -1,4 +1,7 @@
-"""The entry point, where every error becomes one message and one exit code."""
+"""The entry point, where every error becomes one message and one exit code.
+
+It imports little: an interrupt before it is asked for anything would show a traceback.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +11,8 @@ import gc
 import os
 import sys
 import time as clock
-import traceback
 from collections.abc import Sequence
 from typing import Any
-
-import typer
 
 from viscodesign.cli.failures import (
     INTERNAL_ERROR,
@@ -33,9 +33,6 @@ from viscodesign.cli.output import (
 )
 from viscodesign.errors import OutputError, ViscodesignError
 from viscodesign.interrupt import ended_like_interrupts
-
-CommandLineError: Any = typer.BadParameter.__mro__[2]
-"""Base of what typer raises for a command line that it cannot parse; it has no public name."""
 
 OUTPUT_ERRORS = (errno.ENOSPC, errno.EIO, errno.EBADF)
 COLLECTED_AFTER = 500_000
@@ -66,6 +63,8 @@ def _answer(words: list[str]) -> int:
     if failure is None:
         return 0
     if failure.error is not None and asks_for("--debug", words):
+        import traceback
+
         traceback.print_exception(failure.error)
     if failure.message:
         complain(failure.message)
@@ -84,14 +83,21 @@ def _failure_of(words: list[str]) -> Failure | None:
         # `viscodesign check leg.yaml | head -1`: the reader has all it needs.
         abandon_stdout()
         return None
-    except CommandLineError as error:
-        error.show()
-        return plain_failure("usage", error.exit_code, error.format_message(), told=True)
     except (KeyboardInterrupt, Exception) as error:
-        return _output_failure(error) or failure_of(error, asks_for("--debug", words))
+        found = _usage_failure(error) or _output_failure(error)
+        return found or failure_of(error, asks_for("--debug", words))
     if status == INTERRUPTED:
         return plain_failure("interrupted", status, "interrupted")
     return plain_failure("other", status, "failed", told=True) if status else None
+
+
+def _usage_failure(error: Any) -> Failure | None:
+    """A command line that typer cannot parse; its base of such errors has no public name."""
+    typer = sys.modules.get("typer")
+    if typer is None or not isinstance(error, typer.BadParameter.__mro__[2]):
+        return None
+    error.show()
+    return plain_failure("usage", error.exit_code, error.format_message(), told=True)
 
 
 def _output_failure(error: BaseException) -> Failure | None:

@@ -150,3 +150,17 @@ def test_a_full_disk_under_any_text_is_one_line(words: list[str]) -> None:
         done = subprocess.run([*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True)
     assert done.returncode == 3
     assert done.stderr == "standard output: No space left on device\n"
+
+
+def test_an_interrupt_of_what_is_imported_shows_no_traceback() -> None:
+    program = (
+        "import sys; from viscodesign.cli.main import main\n"
+        "class Interrupting:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        "        if name.partition('.')[0] == 'typer':\n"
+        "            raise KeyboardInterrupt\n"
+        "sys.meta_path.insert(0, Interrupting())\n"
+        "sys.exit(main(['check', 'leg.yaml']))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "interrupted\n")
