@@ -20,6 +20,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.rod_equations import RodForm
 from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.error_control import ERROR_CONTROL
 from viscodesign.simulation.missed_effects import EffectEscalation
 from viscodesign.simulation.solve_once import Progress, Run, Workspace, farthest_tip, solve
 from viscodesign.solve.event_failures import EventError
@@ -42,6 +43,11 @@ class JudgingNumbers:
     steps_share: float = 0.7
     """Error of a run by steps and mesh, in parts of its distance to a solution as coarse as that
     with the same effects."""
+    energy_margin: float = 3.0
+    """Energy residual that is foreseen of a run, over what the solution with everything has in
+    proportion to both tolerances: at a tenth of the tolerance it was 7 to 30 times smaller."""
+    most_reduced: float = 100.0
+    """By which the tolerance of a run is divided at most, for its energy balance to close."""
     single_additions: int = 2
     """Effects that are added one at a time before all of them are."""
 
@@ -59,9 +65,20 @@ def coarser(settings: Settings) -> Settings:
     return replace(settings, edges_per_section=edges, tolerance=tolerance, for_balances=False)
 
 
-def judgeable(settings: Settings) -> Settings:
-    """Settings of a run that has twice the edges of a coarser one."""
-    return replace(settings, edges_per_section=max(2, settings.edges_per_section))
+def judgeable(settings: Settings, everything: Run | None = None) -> Settings:
+    """Settings of a run that has twice the edges of a coarser one.
+
+    ``everything``: that one, whose energy residual tells the tolerance at which that of the run
+    should be small enough.
+    """
+    fine = replace(settings, edges_per_section=max(2, settings.edges_per_section))
+    residual = everything.motion.invariants.energy_imbalance_rel if everything else None
+    if everything is None or not residual:
+        return fine
+    foreseen = JUDGING.energy_margin * residual / everything.settings.tolerance
+    closing = ERROR_CONTROL.energy_imbalance / foreseen
+    least = fine.tolerance / JUDGING.most_reduced
+    return replace(fine, tolerance=min(fine.tolerance, max(closing, least)))
 
 
 @dataclass(frozen=True)

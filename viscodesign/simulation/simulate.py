@@ -175,17 +175,21 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     settings = suggest_settings(quantities, selection.effects)
     if request.tolerance is not None:
         settings = replace(settings, tolerance=request.tolerance)
+    with request.watch("choose"):
+        whole = request.judge.everything(selection, settings) if request.verify else None
+        missed = None if whole is None else escalation(quantities, selection, whole)
+    if missed is not None:  # from the start, rather than of a run without it
+        selection = missed.selection
+        whole = whole if selection.neglected else None
     verifier = Verifier(
         quantities, selection.effects, selection.neglected_m, request.progress, request.workspace
     )
-    with request.watch("choose"):
-        whole = request.judge.everything(selection, settings) if request.verify else None
     if whole is not None and whole.solution.asked_to_stop:
         selection = selection.grown(selection.everything, "the run was stopped") or selection
         verifier.neglected_m = selection.neglected_m
         verifier.interrupted = True  # also where it was done when it was asked to stop
         return _SolvedScene(selection, verifier, whole, None, None)
-    run = verifier.solve(settings if whole is None else judgeable(settings))
+    run = verifier.solve(settings if whole is None else judgeable(settings, whole))
     with request.watch("choose"):
         more = escalation(quantities, selection, run)
     whole_error: WholeError | None = None

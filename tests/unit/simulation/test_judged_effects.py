@@ -71,6 +71,21 @@ def test_settings_of_the_coarser_solution_halve_the_mesh() -> None:
         assert coarser(fine) == Settings(other, 1e-3, for_balances=False)
 
 
+@pytest.mark.parametrize(
+    ("residual", "reduced"), [(None, 1.0), (1e-5, 1.0), (2e-3, 6.0), (1.0, 100.0)]
+)
+def test_a_run_has_the_tolerance_at_which_its_energy_balance_closes(
+    residual: float | None, reduced: float
+) -> None:
+    """Foreseen by the coarser solution with everything: it took a run for each tenth of it."""
+    quantities, selection, run = judged()
+    found = whole(EffectJudge(quantities, None, Workspace()), selection, run)
+    energy = replace(found.motion.invariants, energy_imbalance_rel=residual)
+    told = replace(found, motion=replace(found.motion, balances=lambda: energy))
+    settings = settings_of(quantities)
+    assert judgeable(settings, told).tolerance == pytest.approx(settings.tolerance / reduced)
+
+
 def test_the_coarser_solution_is_not_sampled_between_the_outputs() -> None:
     """Of balances nobody asks; its tip is that of the same solution with all its samples."""
     quantities, selection, run = judged()

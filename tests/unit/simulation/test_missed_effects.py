@@ -17,6 +17,7 @@ from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.simulation import simulate as simulating
 from viscodesign.simulation.build_problem import suggest_settings
+from viscodesign.simulation.judged_effects import EffectJudge
 from viscodesign.simulation.missed_effects import escalation
 from viscodesign.simulation.solve_once import Run, solve
 
@@ -143,6 +144,18 @@ def test_a_repeated_run_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "turbulent_flow" not in {notice.code for notice in run.warnings}
 
 
+def test_what_the_solution_with_everything_calls_for_repeats_no_run(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The run has it from the start."""
+    monkeypatch.setattr(simulating, "select_effects", without_losses)
+    run = simulate(leg(*LEFT_ITS_FLOOR, STIFF))
+    (found,) = (v for v in run.effects if v.name == "flow_regime")
+    assert found.taken
+    assert "times the largest pressure" in found.reason
+    assert not any("flow_regime" in rung.tried for rung in run.ladder)
+
+
 def test_without_a_start_the_first_run_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     solve_scene = simulating._solve
 
@@ -153,6 +166,8 @@ def test_without_a_start_the_first_run_is_kept(monkeypatch: pytest.MonkeyPatch) 
 
     monkeypatch.setattr(simulating, "select_effects", without_losses)
     monkeypatch.setattr(simulating, "_solve", first_only)
+    # Or that solution would call for it before there is a run.
+    monkeypatch.setattr(EffectJudge, "everything", lambda *_: None)
     scene = leg(*LEFT_ITS_FLOOR)
     run = simulate(scene)
     assert (run.status, len(run.time)) == ("failed", len(scene.run.output_times_array()))
