@@ -24,6 +24,9 @@ BETWEEN, NEAR = 12, 0.1
 """Points between two of an edge, and the longest move of one, in parts of the edge's size."""
 PAST_STEPS, PAST_TIMES, FIRST_TIME = 600, 14.0, 1e-3
 """Steps of the past, its length in slowest time constants, and its first step in fastest ones."""
+SAMPLES, FINE_SAMPLES = 16, 128
+"""Points of the shortest period at which a linear program keeps the limits, and its answer is
+looked at."""
 PERIODS = 6
 """Periods of harmonics that are tried, from the fastest time constant to beyond the slowest."""
 
@@ -89,10 +92,27 @@ class HarmonicExtremes:
         rate, _ = bellows.modes()
         periods = 2 * math.pi * np.geomspace(0.5 / rate[-1], 4.0 / rate[0], PERIODS)
         self._gains = [self._gain(bellows, period) for period in periods]
-        samples = 2 * math.pi * np.arange(16 * count) / (16 * count)
-        turns = np.outer(samples, np.arange(1, count + 1))
-        ones = np.ones((len(samples), 1))
-        self._levels = np.concatenate([ones, np.cos(turns), np.sin(turns)], axis=1)
+        self._levels = self._levels_at(SAMPLES * count)
+        self._fine = self._levels_at(FINE_SAMPLES * count)
+
+    def _levels_at(self, samples: int) -> np.ndarray:
+        """(samples, 1 + 2 N): the input in a period by mean, cosines and sines."""
+        phases = 2 * math.pi * np.arange(samples) / samples
+        turns = np.outer(phases, np.arange(1, self._count + 1))
+        return np.concatenate([np.ones((samples, 1)), np.cos(turns), np.sin(turns)], axis=1)
+
+    def within(self, amplitudes: np.ndarray) -> np.ndarray:
+        """(1 + 2 N,) An input that keeps its limits between samples, too, by less amplitude."""
+        low, high = self._limits
+        mean = min(max(float(amplitudes[0]), low), high)
+        swing = self._fine[:, 1:] @ amplitudes[1:]
+        above, below = float(swing.max()), float(-swing.min())
+        share = min(
+            1.0,
+            (high - mean) / above if above > high - mean else 1.0,
+            (mean - low) / below if below > mean - low else 1.0,
+        )
+        return np.append(mean, share * amplitudes[1:])
 
     def _gain(self, bellows: LinearBellows, period: float) -> np.ndarray:
         """(B, 1 + 2 N): pressures at the beginning of a period by mean, cosines and sines."""
@@ -123,7 +143,7 @@ class HarmonicExtremes:
             solved = linprog(-aim, rows, ends / high_size, bounds=(None, None))
             if solved.x is None:
                 continue
-            pressure = gain @ solved.x * high_size
+            pressure = gain @ self.within(solved.x * high_size)
             if best is None or direction @ pressure > direction @ best:
                 best = pressure
         assert best is not None, "constant inputs are within the limits"

@@ -21,6 +21,7 @@ from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.inverse.path_excess import _from_line
 from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.reach import _bellows
+from viscodesign.inverse.reach_edge import HarmonicExtremes
 from viscodesign.inverse.tree_graph import tree_of
 
 LIMITS = (-20e3, 25e3)
@@ -65,6 +66,20 @@ def test_points_of_the_edge_are_where_a_run_brings_the_tip(study: ReachStudy) ->
 def test_fewer_harmonics_reach_less_and_two_inlets_more(study: ReachStudy) -> None:
     one = reach(small(), limits=LIMITS, harmonics=1).area_m2
     assert one < study.area_m2 < study.area_two_inlets_m2
+
+
+def test_harmonics_keep_their_limits_between_samples() -> None:
+    extreme = HarmonicExtremes(_bellows(small()), LIMITS, 3)
+    phases = 2 * np.pi * np.linspace(0, 1, 3001)
+    wave = np.array([2e3, *[26e3, 0.0, -5e3], *[0.0, 1e3, 0.0]])
+    kept = extreme.within(wave)
+    orders = range(1, 4)
+    levels = kept[0] + sum(
+        kept[k] * np.cos(k * phases) + kept[3 + k] * np.sin(k * phases) for k in orders
+    )
+    assert LIMITS[0] - 10 < levels.min() < levels.max() < LIMITS[1] + 10
+    assert max(levels.max() - LIMITS[1], LIMITS[0] - levels.min()) > -10
+    assert kept[0] == wave[0]
 
 
 def test_the_published_leg_covers_so_much() -> None:
