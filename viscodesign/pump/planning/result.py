@@ -113,7 +113,8 @@ class PumpPlan:
     """The names of several; none for one."""
 
     def __repr__(self) -> str:
-        verdict = "feasible" if self.is_feasible else "infeasible"
+        why = ", ".join(verdict.name for verdict in self.infeasible)
+        verdict = f"infeasible ({why})" if why else "feasible"
         return f"<PumpPlan {self.name}: {self.status}, {verdict}, {self.wanted.time[-1]:g} s>"
 
     @property
