@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
@@ -32,13 +32,26 @@ class Batch:
     status: list[str]
     """Status of every row: "complete", or why it failed."""
 
+    def keys(self) -> Sequence[str]:
+        """Names of the outputs."""
+        return tuple(self.outputs)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.outputs)
+
+    def __len__(self) -> int:
+        return len(self.outputs)
+
     def __getitem__(self, name: str) -> np.ndarray:
         return np.asarray(self.outputs[name])
 
 
 def batch_of(rows: Sequence[BatchRow], blank: Outputs) -> Batch:
     """A batch of its rows; ``blank``: outputs of one that failed."""
-    outputs = {name: np.array([(own or blank)[name] for own, _ in rows]) for name in blank}
+    outputs = {
+        name: np.array([(own or blank)[name] for own, _ in rows]).reshape(-1, *np.shape(empty))
+        for name, empty in blank.items()
+    }
     return Batch(outputs, [status for _, status in rows])
 
 

@@ -22,7 +22,13 @@ from viscodesign.compiled.batch import (
 from viscodesign.compiled.batch import Batch as Batch
 from viscodesign.compiled.directions import independent
 from viscodesign.compiled.free_keys import FreeKeys, SceneKeys, over_one_period
-from viscodesign.compiled.given_values import Values, listed_rows, names_of, values_in_order
+from viscodesign.compiled.given_values import (
+    Values,
+    listed_rows,
+    names_of,
+    values_in_order,
+    whole_number,
+)
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
 from viscodesign.compiled.outputs import ChosenOutputs
@@ -32,7 +38,7 @@ from viscodesign.compiled.side_by_side import SideBySide
 from viscodesign.compiled.solution import MotionFunction
 from viscodesign.effects.allowed_sets import AllowedSets
 from viscodesign.effects.select import select_effects
-from viscodesign.errors import Fault, SpecError, ViscodesignError
+from viscodesign.errors import Fault, SolveError, SpecError, ViscodesignError
 from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
@@ -143,14 +149,13 @@ class CompiledFunction:
         free, outputs = names_of("free", free), names_of("outputs", outputs)
         if not isinstance(scene, Scene):
             raise SpecError.plain(f"scene: needs a scene, such as load({scene!r}); got {scene!r}")
-        if tolerance is not None and not 0.0 < tolerance < LARGEST_TOLERANCE:
+        is_number = isinstance(tolerance, (int, float))
+        if tolerance is not None and not (is_number and 0.0 < tolerance < LARGEST_TOLERANCE):
             raise SpecError.plain(
                 f"tolerance: must be above 0 and below {LARGEST_TOLERANCE:g}; got {tolerance!r}"
             )
-        if edges_per_section is not None and not 1 <= edges_per_section <= MOST_EDGES:
-            raise SpecError.plain(
-                f"edges_per_section: must be from 1 to {MOST_EDGES}; got {edges_per_section!r}"
-            )
+        if edges_per_section is not None:
+            whole_number(edges_per_section, "edges_per_section", 1, MOST_EDGES)
         if one_period:
             scene = over_one_period(scene)
         self._made_of = (scene, free, outputs, tolerance, edges_per_section)
@@ -294,12 +299,13 @@ class CompiledFunction:
         A data frame is read by its columns, as a mapping is by its keys. A row that is out of
         range or whose solution fails is NaN, and `Batch.status` says why.
         """
+        workers = 1 if workers is None else whole_number(workers, "workers", 1)
         parts = in_parts(
             listed_rows(rows, self.names),
             self._motion.times.size * self._built[3].unknowns,
             workers,
         )
-        if workers is None or workers <= 1:
+        if workers == 1:
             found = list(map(self._some_rows, parts))
         else:
             with ThreadPoolExecutor(workers) as pool:
@@ -349,7 +355,9 @@ class CompiledFunction:
 
     def judge(self, values: Values | None = None) -> Judgement:
         """Weigh all effects again for these values."""
-        selection = select_effects(quantities_of(self.scene(values)))
+        quantities = quantities_of(self.scene(values))
+        refuse_beyond_numbers(quantities)
+        selection = select_effects(quantities)
         return Judgement(
             selection.verdicts,
             tuple(sorted(selection.active - self.effects)),
@@ -426,16 +434,22 @@ def _motion(
     members, start = Members.of(quantities), quantities.scene.run.start
     chosen = ChosenOutputs(problem, members, outputs)
     columns, tolerance = chosen.columns, settings.tolerance
-    reason = ""
+    failure: NativeUnavailable | SolveError | None = None
     if problem.equations.states.count:
         try:
             own = MotionFunction(problem, tolerance, members, columns, start=start, follow=follow)
-            # Its equations may be singular at the start.
+            # Its equations may be singular at the start, or stop the steps on the way.
             return own, chosen, own.solve(numbers)
-        except NativeUnavailable as error:
-            reason = str(error)
+        except (NativeUnavailable, SolveError) as error:
+            failure = error
+    reason = failure.short if isinstance(failure, SolveError) else str(failure or "")
     solver = suitable_solver(problem, settings.solver, settings.is_free)
     integrated = IntegratedMotion(
         problem, tolerance, solver, members, columns, start=start, reason=reason, follow=follow
     )
-    return integrated, chosen, None
+    if not isinstance(failure, SolveError):
+        return integrated, chosen, None
+    try:
+        return integrated, chosen, integrated.solve(numbers)
+    except SolveError:
+        raise failure from None

@@ -31,10 +31,34 @@ def values_in_order(values: Values | None, names: Sequence[str], own: np.ndarray
         given = [values[name] for name in _only_known(values, names)]
         all_of_them |= dict(zip(values.keys(), given, strict=True))
         values = [all_of_them[name] for name in names]
+    found = numbers_in(values, "values", "numbers in SI units")
+    if found.ndim != 1:
+        raise SpecError.plain(
+            f"values: must be one number for each of {len(names)}, ({len(names)},); got an array "
+            f"of shape {found.shape}"
+        )
+    return found
+
+
+def numbers_in(given: Any, what: str, allowed: str) -> np.ndarray:
+    """An array of real numbers; raises `SpecError` for anything else."""
     try:
-        return np.array(values, dtype=float)
+        found = np.array(given)
+        # The imaginary part of a step for a derivative would be lost without a word.
+        if np.iscomplexobj(found):
+            raise SpecError.plain(f"{what}: must be real {allowed}; got {given!r}")
+        return found.astype(float)
     except (TypeError, ValueError) as error:
-        raise SpecError.plain(f"values: must be numbers in SI units; got {values!r}") from error
+        raise SpecError.plain(f"{what}: must be {allowed}; got {given!r}") from error
+
+
+def whole_number(given: Any, what: str, least: int, most: int | None = None) -> int:
+    """A whole number in a range; raises `SpecError` for anything else."""
+    is_whole = isinstance(given, (int, np.integer)) and not isinstance(given, bool)
+    if not is_whole or given < least or (most is not None and given > most):
+        allowed = f"of at least {least}" if most is None else f"from {least} to {most}"
+        raise SpecError.plain(f"{what}: must be a whole number {allowed}; got {given!r}")
+    return int(given)
 
 
 def listed_rows(rows: Iterable[Values] | np.ndarray, names: Sequence[str]) -> list[Values]:

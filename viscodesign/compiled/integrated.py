@@ -150,7 +150,9 @@ class IntegratedMotion:
 
     def _refuse_moving(self) -> None:
         if self._problem.equations.states.count:
-            raise NativeUnavailable(f"derivatives of a motion need native code: {self._reason}")
+            raise NativeUnavailable(
+                f"derivatives of a motion need steps in native code: {self._reason}"
+            )
 
 
 def _solved(jacobians: np.ndarray, right: np.ndarray, *, transposed: bool) -> np.ndarray:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from viscodesign.compiled.given_values import numbers_in
 from viscodesign.compiled.reading import Members, places_of
 from viscodesign.errors import Fault, SpecError, not_among
 from viscodesign.lazy_dataclass import dataclass
@@ -123,11 +124,14 @@ class ChosenOutputs:
     def weights(self, given: Mapping[str, Any]) -> dict[str, np.ndarray]:
         """Weights of outputs as arrays; raises `SpecError` for names and shapes that none has."""
         found = {}
+        if not isinstance(given, Mapping):
+            message = f"must be a mapping of some of the outputs to their weights; got {given!r}"
+            raise SpecError([Fault(message, "weights")])
         for name, weight in given.items():
             if name not in self.names:
                 raise SpecError([Fault(not_among(name, self.names), "weights")])
             shape = () if name in self._metrics else (len(self._times),)
-            found[name] = np.asarray(weight, dtype=float)
+            found[name] = numbers_in(weight, f"weights: {name}", "numbers, shaped like the output")
             if found[name].shape != shape:
                 raise SpecError.plain(
                     f"weights: {name} needs an array of shape {shape}; got {found[name].shape}"

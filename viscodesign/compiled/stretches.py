@@ -15,7 +15,6 @@ from viscodesign.native.derivatives import (
 )
 from viscodesign.native.march import MarchState, MarchStatus, StepRecord
 from viscodesign.native.tables import Assembly
-from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.solve.problem import SAME_TIME, Problem
 from viscodesign.solve.solvers.rodas_native import NativeSteps
 from viscodesign.solve.statics import Instant, Start, consistent
@@ -160,7 +159,7 @@ class Stretches:
                 begin = Consistency(own, steps.assembly, y, time, rest)
                 correction = begin.correction()
             except ZeroDivisionError as error:
-                raise NativeUnavailable(f"at t = {time:.6g} s, {error}") from error
+                raise _without_unknowns(time) from error
             size = float(np.max(np.abs(correction), initial=0.0))
             is_round_off = size <= ROUND_OFF_CORRECTION and size > before_size / 2
             if size <= CONSISTENT or is_round_off:
@@ -168,13 +167,7 @@ class Stretches:
             if not np.isfinite(size):
                 break
             y, before_size = y + correction, size
-        raise SolveError(
-            f"no pressures and forces belong to the state at t = {time:.6g} s",
-            quantity="equilibrium",
-            where="rod",
-            time_s=time,
-            remedy="Simulate these values by `simulate`, which raises the loads step by step.",
-        )
+        raise _without_unknowns(time)
 
     def _march(
         self,
@@ -209,6 +202,16 @@ def edges_of(stops: np.ndarray, k: int, times: np.ndarray) -> np.ndarray:
     if len(times) and end - times[-1] <= SAME_TIME * stops[-1]:
         times = times[:-1]
     return np.append(times, end)
+
+
+def _without_unknowns(time: float) -> SolveError:
+    return SolveError(
+        f"no pressures and forces belong to the state at t = {time:.6g} s",
+        quantity="equilibrium",
+        where="rod",
+        time_s=time,
+        remedy="Simulate these values by `simulate`, which raises the loads step by step.",
+    )
 
 
 def _stopped(time: float, at_limit: bool) -> SolveError:

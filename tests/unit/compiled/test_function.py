@@ -11,7 +11,7 @@ import pandas as pd
 import pytest
 
 from tests.scenes import leg
-from viscodesign import compile, simulate
+from viscodesign import Scene, compile, simulate
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SolveError, SpecError
 from viscodesign.native.machine import SWITCH
@@ -262,8 +262,18 @@ def test_wrong_words_are_told(function: CompiledFunction) -> None:
     for tolerance in (-1.0, 0.0, float("nan"), 2.0):
         with pytest.raises(SpecError, match="tolerance: must be above 0"):
             compile(leg(SHORT), FREE, TIP, tolerance=tolerance)
-    with pytest.raises(SpecError, match="weights"):
-        function.vjp(None, {"tip_x_m": np.ones(3)})
+    for weights in ({"tip_x_m": np.ones(3)}, {"tip_x_m": "a"}, None, [1.0]):
+        with pytest.raises(SpecError, match="weights"):
+            function.vjp(None, weights)  # type: ignore[arg-type]
+    for values in (function.values + 1e-20j, function.values[:, None]):
+        with pytest.raises(SpecError, match=r"values: must be (real|one number)"):
+            function(values)
+    with pytest.raises(SpecError, match="workers: must be a whole number of at least 1"):
+        function.batch([function.values], workers=0)
+    with pytest.raises(SpecError, match="edges_per_section: must be a whole number from 1 to 64"):
+        compile(leg(SHORT), FREE, TIP, edges_per_section=2.5)  # type: ignore[arg-type]
+    with pytest.raises(SpecError, match="tolerance: must be above 0"):
+        compile(leg(SHORT), FREE, TIP, tolerance="x")  # type: ignore[arg-type]
 
 
 def test_a_failing_solution_raises() -> None:
@@ -271,10 +281,47 @@ def test_a_failing_solution_raises() -> None:
         compile(leg("run.max_steps=100"), ["input.fall_time"], TIP)
 
 
+def collapsing(fraction: float) -> Scene:
+    """A leg of four bellows of gas that all but collapse."""
+    return leg(
+        "bellows.count=4",
+        "input={kind: double_sigmoid, start: 20 kPa, drop: 60 kPa, fall_time: 0.5 s, "
+        "rise_time: 2 s, transition: 0.1 s}",
+        "run={duration: 3 s, output_interval: 50 ms}",
+        "effects={pressure_distribution: on, feedback: on, collapse: on, others: off}",
+        f"bellows.collapse_fraction={fraction}",
+    )
+
+
+def test_where_its_steps_stop_another_solver_goes_on() -> None:
+    scene = collapsing(1e-3)
+    function = compile(scene, ["bellows.collapse_fraction"], TIP)
+    run = simulate(scene, verify=False)
+    assert function()["tip_x_m"] == pytest.approx(run.tip[:, 0], abs=1e-6)
+    with pytest.raises(NativeUnavailable, match="steps became too small"):
+        function.jacobian()
+
+
+def test_a_start_without_unknowns_is_told() -> None:
+    function = compile(collapsing(0.1), ["bellows.collapse_fraction"], TIP)
+    with pytest.raises(SolveError, match="no pressures and forces belong to the state"):
+        function([0.0])
+    assert "no pressures" in function.batch([[0.1], [0.0]]).status[1]
+
+
+def test_a_batch_is_a_mapping(function: CompiledFunction) -> None:
+    found = function.batch([function.values])
+    assert list(found) == list(function.outputs)
+    assert dict(found).keys() == set(function.outputs)
+    assert function.batch([])["tip_x_m"].shape == (0, len(function.times))
+
+
 def test_without_native_code_values_stay(monkeypatch: pytest.MonkeyPatch) -> None:
     wanted = compile(leg(SHORT), FREE, TIP)()
     monkeypatch.setenv(SWITCH, "off")
     formulas = compile(leg(SHORT), FREE, TIP)
     assert formulas()["tip_x_m"] == pytest.approx(wanted["tip_x_m"], abs=1e-6)
-    with pytest.raises(NativeUnavailable, match="derivatives of a motion need native code"):
+    with pytest.raises(
+        NativeUnavailable, match="derivatives of a motion need steps in native code"
+    ):
         formulas.jacobian()
