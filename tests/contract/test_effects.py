@@ -179,8 +179,8 @@ def test_damping_only_takes_and_spares_a_rigid_turn() -> None:
     e = equations.formulas
     loss_rate = e.quadrature[equations.rates.index("material_loss")] * equations.energy_size
     rates = e.algebraics.vector[e.algebraics.blocks[STRAIN_RATES].span]
-    defects = e.alg[ca.jacobian(e.alg, rates).sparsity().row()]
-    loss_rate = ca.substitute(loss_rate, rates, ca.substitute(defects, rates, 0))
+    rows = e.alg[ca.jacobian(e.alg, rates).sparsity().row()]
+    loss_rate = ca.substitute(loss_rate, rates, ca.substitute(rows, rates, 0))
     power = ca.Function("p", [e.states.vector, e.algebraics.vector, e.parameters], [loss_rate])
     start = equilibrium(problem, 0.0, problem.schedule.initial_piece)
     x = start.states.copy()

@@ -22,11 +22,11 @@ place of c in both relations.
 The moment E I c is an unknown of its own: the system stays sparse, the number of
 operations linear in the number of edges. So is the axial force E A tau of every edge, with
 its elastic stretch tau: within a step of an integrator nodes move straight, which stretches
-an edge that turns, and a stiff axis would answer that with a large force. Where the rod is damped,
-so is the rate k of every node's curvature, whose power is EI h (2 k dkappa/dt - k^2) times the
-retardation time: how its force depends on the places is as stiff as the mesh is fine, and the steps
-of a linearly implicit method would be as short. Without load the chain lies exactly on the arcs for
-any number of edges.
+an edge that turns, and a stiff axis would answer that with a large force.
+Where a rod with mass is damped, so is the rate k of every node's curvature, whose power is
+EI h (2 k dkappa/dt - k^2) times the retardation time: how its force depends on the places is as
+stiff as the mesh is fine, and the steps of a linearly implicit method would be as short. Without
+load the chain lies exactly on the arcs for any number of edges.
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ class ChainSymbols(RodSymbols):
         stretch_rate = ca.jtimes(self.chord_lengths / self.h, r, v)
         extension = self.EA / self.extension_softness * self.h * stretch_rate**2
         rate = self.curvature_rate
-        bending = self.EI * self.tributary_lengths * rate * (2 * self._turning_rate - rate)
+        bending = self.EI * self.tributary_lengths * rate * (2 * self.strain_rate_values - rate)
         if time.is_scalar():
             return ca.vertsplit(time * (extension + bending))
         edges = self._per_edge(time)
@@ -140,12 +140,7 @@ class ChainSymbols(RodSymbols):
         return self.curvature_rate
 
     @property
-    def strain_rate_defects(self) -> SX:
-        return self._turning_rate - self.curvature_rate
-
-    @property
-    def _turning_rate(self) -> SX:
-        """Rate of the curvature at nodes 0..edges-1 (edges,) [1/(m s)]."""
+    def strain_rate_values(self) -> SX:
         return ca.jtimes(self.turns / self.tributary_lengths, self.coordinates, self.rates)
 
     def _retarded(self, time: SX) -> SX:

@@ -166,7 +166,7 @@ class RodSymbols(ABC):
 
     @property
     def strain_rates(self) -> SX:
-        """Strain rates that are unknowns of their own where the rod is damped (k,) [1/(m s)]."""
+        """Strain rates that are unknowns where the rod has mass and is damped (k,) [1/(m s)]."""
         return SX(0, 1)
 
     @property
@@ -175,8 +175,8 @@ class RodSymbols(ABC):
         return 1 / self.coordinate_size
 
     @property
-    def strain_rate_defects(self) -> SX:
-        """By how much they miss the rates of the strains in question (k,)."""
+    def strain_rate_values(self) -> SX:
+        """What they are, by coordinates and rates (k,)."""
         return SX(0, 1)
 
     @property

@@ -89,6 +89,7 @@ class RodEquations:
         self.kinds = [kind for kind in (self._places(), self._angles()) if kind.values.numel()]
         self.acceleration = SX.sym("acceleration", self.rod.rates.numel())
         self.strain_rates = self._strain_rates()
+        self.dissipation_powers = self._dissipation_powers()
         self.coupled = self.form is RodForm.DYNAMIC and not self._masses_are_constant()
         self.contact_forces = contact_forces(system.contacts)
 
@@ -115,12 +116,23 @@ class RodEquations:
         return Coordinates(SECTION_ANGLES, angles, SX(1), SECTION_RATES, rates, moment, form)
 
     def _strain_rates(self) -> SX:
-        """Those that are unknowns: none where no power depends on them."""
+        """Those that are unknowns: none where no power depends on them.
+
+        Nor without mass, where the balance of forces determines the rates: it needs its slopes in
+        them.
+        """
         rates = self.rod.strain_rates
-        is_damped = self.form in MOVING and rates.numel() > 0
-        if is_damped and ca.depends_on(self.system.dissipation_power.total, rates):
+        has_any = self.form is RodForm.DYNAMIC and rates.numel() > 0
+        if has_any and ca.depends_on(self.system.dissipation_power.total, rates):
             return rates
         return SX(0, 1)
+
+    def _dissipation_powers(self) -> list[SX]:
+        """Powers in the unknowns [W]."""
+        terms, rod = self.system.dissipation_power.terms, self.rod
+        if self.strain_rates.numel() or not rod.strain_rates.numel():
+            return terms
+        return substitute(terms, [(rod.strain_rates, rod.strain_rate_values)])
 
     def _masses_are_constant(self) -> bool:
         """Whether every momentum is a constant times its own velocity."""
@@ -266,7 +278,7 @@ class RodEquations:
         forces: list[Rows] = [GradientRows(self._potential(), kind.values, -scale)]
         if kind.form in MOVING:
             # A Rayleigh function is half the power, its gradient the force.
-            power = self.system.dissipation_power.terms
+            power = self.dissipation_powers
             forces.append(GradientRows(power, kind.rates, -scale / 2))
         return forces
 
@@ -297,7 +309,7 @@ class RodEquations:
         alg: list[list[Rows]] = [[self._internal_rows()]]
         if self.strain_rates.numel():
             size = self.rod.strain_rate_size / self.sizes.time
-            alg.append([self.rod.strain_rate_defects / size])
+            alg.append([(self.rod.strain_rate_values - self.strain_rates) / size])
         for kind in self.kinds:
             forces = self._forces(kind, 1 / kind.force_size)
             if kind.form is not RodForm.STATIC:
@@ -341,7 +353,7 @@ class RodEquations:
 
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""
-        return {"material_loss": self.system.dissipation_power.total} if self.form in MOVING else {}
+        return {"material_loss": total(self.dissipation_powers)} if self.form in MOVING else {}
 
     def works(self) -> list[str]:
         """Names of the works of forces along paths."""

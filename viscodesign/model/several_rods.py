@@ -77,8 +77,8 @@ class SeveralRodsSymbols(RodSymbols):
         return ca.vertcat(*(own.strain_rates for own in self.rods))
 
     @property
-    def strain_rate_defects(self) -> SX:
-        return ca.vertcat(*(own.strain_rate_defects for own in self.rods))
+    def strain_rate_values(self) -> SX:
+        return ca.vertcat(*(own.strain_rate_values for own in self.rods))
 
     @property
     def tip(self) -> SX:

@@ -52,7 +52,7 @@ class ShearableChainSymbols(ChainSymbols):
         return SX(0, 1)  # turns are differences of angles: their force depends on rates alone
 
     @property
-    def strain_rate_defects(self) -> SX:
+    def strain_rate_values(self) -> SX:
         return SX(0, 1)
 
     def _turns(self, chords: SX) -> SX:
