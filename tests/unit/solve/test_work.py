@@ -49,3 +49,16 @@ def test_every_solver_respects_the_step_limit(name: str) -> None:
     assert run.motion.failure.quantity == "work"
     assert 100 <= run.solution.work.steps < 250
     assert run.solution.work.residual_calls < 50 * 120
+
+
+def test_a_finer_mesh_of_a_damped_rod_takes_no_more_steps() -> None:
+    """How the force of damping turns with the nodes is as stiff as the mesh is fine."""
+    scene = leg(
+        "effects={pressure_distribution: on, inertia: on, damping: on, gravity: on, others: off}"
+    )
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
+    coarse, fine = (
+        solve(quantities, effects, Settings(edges, 1e-3)).solution.work.steps for edges in (2, 16)
+    )
+    assert fine < 1.2 * coarse
