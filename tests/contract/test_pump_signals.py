@@ -23,6 +23,7 @@ from tests.pumps import bench
 from tests.rig.pty import PtyServer
 from tests.rig.streaming_process import StreamingProcess, stream_process
 from tests.scenes import CONFIGS
+from tests.thorough import ALL
 from viscodesign.pump.ax.hold import HOLD_SPEED
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.bus.clock import WallClock
@@ -37,6 +38,8 @@ GENTLE = [
     *("run.duration=6 s", "run.output_interval=0.1 s"),
 ]
 """Slow, and planned soon: with its lead-in it plays for 18 s, and no test lets it end."""
+SIGNALS = [signal.SIGINT, signal.SIGTERM, *([signal.SIGHUP] if ALL else [])]
+"""One handler serves all three."""
 WITHIN = 0.1
 """From the signal to the hold [s]."""
 REQUESTS = 6
@@ -73,7 +76,7 @@ def is_hold(entry: dict[str, Any]) -> bool:
     return sync and int.from_bytes(data[10:12], "little") == HOLD_SPEED
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("number", SIGNALS)
 def test_from_a_signal_to_a_hold_on_the_wire(streaming: Streaming, number: int) -> None:
     streaming.wait_for(20)
     streaming.process.send_signal(number)
