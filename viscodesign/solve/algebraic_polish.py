@@ -48,15 +48,24 @@ def _polish_all(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> np.ndarray:
     """Polish in place those that undamped Newton steps bring to round-off; which these are (m,)."""
-    unknowns, count = algebraics.shape
+    unknowns, count = int(np.count_nonzero(_solved_for(problem))), algebraics.shape[1]
     done = np.zeros(count, dtype=bool)
     if unknowns > LIMITS.max_dense_unknowns:
         return done
-    size = max(LIMITS.max_entries // unknowns**2, 1)
+    size = max(LIMITS.max_entries // max(unknowns, 1) ** 2, 1)
     for begin in range(0, count, size):
         some = slice(begin, begin + size)
         done[some] = _polish_some(problem, states[:, some], algebraics[:, some], first + begin)
     return done
+
+
+def _solved_for(problem: Problem) -> np.ndarray:
+    """Which algebraic unknowns are polished (nz,): those that others depend on."""
+    group = problem.equations.algebraics
+    found = np.ones(group.count, dtype=bool)
+    for block in group.blocks.values():
+        found[block.span] = not block.traits.moves_states_only
+    return found
 
 
 def _polish_some(
@@ -64,16 +73,22 @@ def _polish_some(
 ) -> np.ndarray:
     """The same for as many edges as are solved at once."""
     function = problem.equations.constraints_by_tape
-    known = function.sparsities[0].row()
-    rows, columns = function.sparsities[1].get_triplet()
-    unknowns, count = algebraics.shape
+    known = np.array(function.sparsities[0].row())
+    rows, columns = map(np.array, function.sparsities[1].get_triplet())
+    # The equations of a block stand in its place.
+    solved_for = _solved_for(problem)
+    place, own = np.cumsum(solved_for) - 1, np.flatnonzero(solved_for)
+    entries, equations = solved_for[rows] & solved_for[columns], solved_for[known]
+    rows, columns, known = place[rows[entries]], place[columns[entries]], place[known[equations]]
+    unknowns, count = len(own), algebraics.shape[1]
     trial = algebraics.copy()
     matrix, right = np.zeros((count, unknowns, unknowns)), np.zeros((count, unknowns, 1))
     size = np.full(count, np.inf)
     done, lost = np.zeros((2, count), dtype=bool)
     for _ in range(LIMITS.max_iterations):
         residual, slopes = function.rows(rows_along(problem, states, trial, first), count)
-        matrix[:, rows, columns], right[:, known, 0] = slopes, residual
+        matrix[:, rows, columns] = slopes[:, entries]
+        right[:, known, 0] = residual[:, equations]
         try:
             step = np.linalg.solve(matrix, right)[:, :, 0].T
         except np.linalg.LinAlgError:  # a single singular matrix fails them all
@@ -83,7 +98,8 @@ def _polish_some(
         stagnant = (size <= CONTROL.round_off_tol) & (size > before / 2)
         lost |= ~(size < before) & ~stagnant
         arrived = ~done & ~lost
-        trial[:, arrived & ~stagnant] -= step[:, arrived & ~stagnant]
+        moving = arrived & ~stagnant
+        trial[np.ix_(own, moving)] -= step[:, moving]
         done |= arrived & (stagnant | (size <= CONTROL.correction_tol))
         if np.all(done | lost):
             break
