@@ -34,7 +34,9 @@ TRAITS = {
     ACCELERATIONS: Traits(of_rod=True, integrations=2, is_noisy=True),
     # They follow linearly from the coordinates, which do count.
     INTERNAL: Traits(of_rod=True, is_internal=True, integrations=math.inf),
-    STRAIN_RATES: Traits(of_rod=True, is_noisy=True, moves_states_only=True, integrations=math.inf),
+    STRAIN_RATES: Traits(
+        of_rod=True, is_noisy=True, follows_from_states=True, integrations=math.inf
+    ),
 }
 TRAITS[CONTACT_FORCES] = Traits(integrations=math.inf)
 TRAITS |= {SECTION_ANGLES: TRAITS[COORDINATES], SECTION_RATES: TRAITS[RATES]}

@@ -47,8 +47,8 @@ class Traits:
     """Whether it follows from the unknowns that identify a branch, by equations of its own."""
     is_noisy: bool = False
     """Whether error tests of algebraic unknowns should leave it out."""
-    moves_states_only: bool = False
-    """Whether it follows from all others, and no other algebraic equation contains it."""
+    follows_from_states: bool = False
+    """Whether its equation has the states and itself alone, and no other algebraic one has it."""
     of_rod: bool = False
     """Whether it belongs to the rod; all others are settled first, with the rod held."""
     is_pressure: bool = False

@@ -48,7 +48,7 @@ def _polish_all(
     problem: Problem, states: np.ndarray, algebraics: np.ndarray, first: int
 ) -> np.ndarray:
     """Polish in place those that undamped Newton steps bring to round-off; which these are (m,)."""
-    unknowns, count = int(np.count_nonzero(_solved_for(problem))), algebraics.shape[1]
+    unknowns, count = int(np.count_nonzero(_is_coupled(problem))), algebraics.shape[1]
     done = np.zeros(count, dtype=bool)
     if unknowns > LIMITS.max_dense_unknowns:
         return done
@@ -59,12 +59,12 @@ def _polish_all(
     return done
 
 
-def _solved_for(problem: Problem) -> np.ndarray:
-    """Which algebraic unknowns are polished (nz,): those that others depend on."""
+def _is_coupled(problem: Problem) -> np.ndarray:
+    """Which algebraic unknowns have equations together (nz,); the others follow from states."""
     group = problem.equations.algebraics
     found = np.ones(group.count, dtype=bool)
     for block in group.blocks.values():
-        found[block.span] = not block.traits.moves_states_only
+        found[block.span] = not block.traits.follows_from_states
     return found
 
 
@@ -76,21 +76,22 @@ def _polish_some(
     known = np.array(function.sparsities[0].row())
     rows, columns = map(np.array, function.sparsities[1].get_triplet())
     # The equations of a block stand in its place.
-    solved_for = _solved_for(problem)
-    place, own = np.cumsum(solved_for) - 1, np.flatnonzero(solved_for)
-    entries, equations = solved_for[rows] & solved_for[columns], solved_for[known]
-    rows, columns, known = place[rows[entries]], place[columns[entries]], place[known[equations]]
+    coupled = _is_coupled(problem)
+    place, own, other = np.cumsum(coupled) - 1, np.flatnonzero(coupled), np.flatnonzero(~coupled)
+    entries, alone = coupled[rows] & coupled[columns], ~coupled[rows] & (rows == columns)
+    rows, columns = place[rows[entries]], place[columns[entries]]
     unknowns, count = len(own), algebraics.shape[1]
-    trial = algebraics.copy()
-    matrix, right = np.zeros((count, unknowns, unknowns)), np.zeros((count, unknowns, 1))
+    trial, step = algebraics.copy(), np.zeros_like(algebraics)
+    defects = np.zeros_like(algebraics)
+    matrix = np.zeros((count, unknowns, unknowns))
     size = np.full(count, np.inf)
     done, lost = np.zeros((2, count), dtype=bool)
     for _ in range(LIMITS.max_iterations):
         residual, slopes = function.rows(rows_along(problem, states, trial, first), count)
-        matrix[:, rows, columns] = slopes[:, entries]
-        right[:, known, 0] = residual[:, equations]
+        matrix[:, rows, columns], defects[known] = slopes[:, entries], residual.T
+        step[other] = defects[other] / slopes[:, alone].T
         try:
-            step = np.linalg.solve(matrix, right)[:, :, 0].T
+            step[own] = np.linalg.solve(matrix, defects[own].T[:, :, None])[:, :, 0].T
         except np.linalg.LinAlgError:  # a single singular matrix fails them all
             return np.zeros(count, dtype=bool)
         before, size = size, np.max(np.abs(step), axis=0, initial=0.0)
@@ -98,8 +99,7 @@ def _polish_some(
         stagnant = (size <= CONTROL.round_off_tol) & (size > before / 2)
         lost |= ~(size < before) & ~stagnant
         arrived = ~done & ~lost
-        moving = arrived & ~stagnant
-        trial[np.ix_(own, moving)] -= step[:, moving]
+        trial[:, arrived & ~stagnant] -= step[:, arrived & ~stagnant]
         done |= arrived & (stagnant | (size <= CONTROL.correction_tol))
         if np.all(done | lost):
             break
