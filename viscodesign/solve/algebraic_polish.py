@@ -17,9 +17,9 @@ from viscodesign.solve.problem import Problem, rows_along
 class PolishLimits:
     """How many edges are polished at once."""
 
-    max_dense_unknowns: int = 80
-    """Algebraic unknowns up to which many edges are solved at once, with full matrices: larger
-    ones start threads that cost more than they save."""
+    max_dense_unknowns: int = 300
+    """Algebraic unknowns up to which many edges are solved at once, with full matrices: one by one
+    in Python costs three times as much at 150."""
     max_entries: int = 4_000_000
     """Entries of all these matrices together."""
     max_iterations: int = 6
