@@ -20,10 +20,6 @@ TITLES = {
     "duration_arcs": "Duration [s], sine of 0.5 Hz, quasi-static arcs",
     "duration_dynamic": "Duration [s], sine of 0.5 Hz, dynamic with gravity",
 }
-WHY = (
-    "What limits the steps of fine meshes is mostly the velocity of the tip's node; why more "
-    "bellows take more steps has not been investigated."
-)
 ABOUT = """# How the cost grows with the work
 
 CPU times. Solve and build are warm: the fastest of up to three further solutions, in the same
@@ -104,7 +100,6 @@ def _aim(families: dict[str, list[Record]]) -> str:
             f"{TITLES[family]}: {told(whole)}, {met}; {told(steps)} of it are more steps, "
             f"{told(whole - steps)} the work of one."
         )
-    words.append(WHY)
     return " ".join(words) + "\n"
 
 
