@@ -6,6 +6,7 @@ import io
 import pickle
 import zlib
 from collections.abc import Callable
+from enum import Enum
 from typing import Any, TypeVar
 
 import casadi as ca
@@ -155,6 +156,8 @@ class _Packer(pickle.Pickler):
     def reducer_override(self, obj: Any) -> Any:
         if isinstance(obj, np.ndarray):
             return _array, (obj.dtype.str, obj.shape, obj.tobytes())
+        if isinstance(obj, Enum):
+            return type(obj), (obj.value,)  # before Python 3.11.4 it would need `getattr`
         return NotImplemented
 
 

@@ -67,5 +67,5 @@ def test_a_finer_mesh_can_be_asked_for() -> None:
     scene: Scene = leg(SHORT, config="leg_4_air")
     fine = compile(scene, ["bellows.area_per_pressure"], ["tip_x_m"], edges_per_section=6)
     assert fine.settings.edges_per_section == 6
-    with pytest.raises(SpecError, match="edges_per_section: must be from 1"):
+    with pytest.raises(SpecError, match="edges_per_section: must be a whole number from 1"):
         compile(scene, ["bellows.area_per_pressure"], ["tip_x_m"], edges_per_section=0)
