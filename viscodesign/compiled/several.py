@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from viscodesign.checks.check_several import error_of
 from viscodesign.compiled.batch import COMPLETE, Batch, Outputs
 from viscodesign.compiled.function import CompiledFunction, Judgement
 from viscodesign.compiled.given_values import Values, listed_rows, names_of, values_in_order
+from viscodesign.compiled.keyed_function import KeyedFunction
 from viscodesign.compiled.several_keys import PartKeys, ScenePart, SeveralKeys, may_matter, parts_of
 from viscodesign.errors import Fault, SpecError, did_you_mean, not_among
 from viscodesign.lazy_dataclass import dataclass
@@ -38,7 +39,7 @@ class _Place:
     """Under which its function has it."""
 
 
-class CompiledActuators:
+class CompiledActuators(KeyedFunction[SeveralKeys]):
     """Outputs of several actuators as a function of free numbers [SI], with derivatives.
 
     Effects, meshes, tolerances and output times are those of the scenes that it was made of. Equal
@@ -99,28 +100,6 @@ class CompiledActuators:
             used |= set(own.solve.names) - set(unused)
         left = "cannot be free: none of the outputs depends on it"
         return [told.get(name, Fault(left, name)) for name in self.names if name not in used]
-
-    def __reduce__(self) -> tuple[Callable[..., CompiledActuators], tuple[Any, ...]]:
-        return CompiledActuators, self._made_of
-
-    def __repr__(self) -> str:
-        count, name = len(self.names), self._made_of[0].name
-        return f"<viscodesign function of {count} number{'s' * (count > 1)} of {name}>"
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Keys of the free numbers, one each, in order."""
-        return self._keys.names
-
-    @property
-    def values(self) -> np.ndarray:
-        """(f,) The spec's own numbers [SI]."""
-        return self._keys.values
-
-    @property
-    def units(self) -> tuple[str, ...]:
-        """SI units of the free numbers, "1" for a ratio."""
-        return tuple(number.unit for number in self._keys.numbers)
 
     @property
     def times(self) -> np.ndarray:

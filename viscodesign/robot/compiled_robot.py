@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
 from viscodesign.compiled.batch import COMPLETE, Batch, Outputs, batch_of
 from viscodesign.compiled.given_values import Values, listed_rows, names_of, values_in_order
+from viscodesign.compiled.keyed_function import KeyedFunction
 from viscodesign.errors import Fault, SolveError, SpecError, ViscodesignError, not_among
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.robot.build_robot import build_robot
@@ -44,7 +44,7 @@ NO_SLOPE = {
 INSTEAD = "take differences over a range that moves it by far more than its error, or `sweep`"
 
 
-class CompiledRobot:
+class CompiledRobot(KeyedFunction[RobotKeys]):
     """Numbers of a robot as a function of free numbers [SI].
 
     Outputs of the stance, as `stand` has it at the spec's gauge pressure and payload:
@@ -64,28 +64,6 @@ class CompiledRobot:
         known = [*STANCE, SWAY_LIMIT, *of_legs, *GAIT]
         if unknown := [name for name in self.outputs if name not in known]:
             raise SpecError([Fault(not_among(name, known), "outputs") for name in unknown])
-
-    def __reduce__(self) -> tuple[Callable[..., CompiledRobot], tuple[Any, ...]]:
-        return CompiledRobot, self._made_of
-
-    def __repr__(self) -> str:
-        count, name = len(self.names), self._made_of[0].name
-        return f"<viscodesign function of {count} number{'s' * (count > 1)} of {name}>"
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Keys of the free numbers, one each, in order."""
-        return self._keys.names
-
-    @property
-    def values(self) -> np.ndarray:
-        """(f,) The spec's own numbers [SI]."""
-        return self._keys.values
-
-    @property
-    def units(self) -> tuple[str, ...]:
-        """SI units of the free numbers, "1" for a ratio."""
-        return tuple(number.unit for number in self._keys.numbers)
 
     def __call__(self, values: Values | None = None) -> Outputs:
         """Every output, a number each, at values (f,), by default the spec's own.
