@@ -8,23 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
-from viscodesign.cli.output import complain, say_result
+from viscodesign.cli.options import Answer, Overrides, ResultFiles, Spec
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.accuracy_study import AccuracyStudy
@@ -39,7 +25,6 @@ Examples:
 def command(
     spec: Spec,
     overrides: Overrides = None,
-    output: RunFolder = None,
     budget: Annotated[
         str | None,
         typer.Option(
@@ -51,14 +36,9 @@ def command(
     limit: Annotated[
         str, typer.Option("--limit", metavar="TIME", help="Time limit of the whole study.")
     ] = "60 s",
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Measure what accuracy costs in solve time.
 
@@ -67,7 +47,6 @@ def command(
     accuracy.csv, accuracy.json and accuracy.png; a run's files in the same folder stay. An
     interrupted study keeps what it measured.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign.cli.option_values import positive_time
     from viscodesign.cli.spare_folder import written
 
@@ -81,25 +60,17 @@ def command(
     from viscodesign.report.folder import new_folder
 
     scene = read_scene(spec, overrides)
-    folder, remark = folder_for(scene, output)
-    if remark and not quiet:
-        complain(remark)
-    with new_folder(folder, force=force), progress(quiet, first="measuring") as advance:
+    folder, remark = folder_for(scene, files.output)
+    answer.remark(remark)
+    with (
+        new_folder(folder, force=files.force),
+        progress(answer.quiet, first="measuring") as advance,
+    ):
         study = _kept(lambda: accuracy(scene, limit=limit_s, progress=advance))
-    files = written(
-        lambda place: write_study(
-            study,
-            place,
-            budget_s=budget_s,
-            plots=not no_plots,
-            force=force,
-            pictures=pictures,
-        ),
-        folder,
+    paths = written(
+        lambda place: write_study(study, place, budget_s=budget_s, **files.writing), folder
     )
-    say_result(
-        study.document(budget_s), files, cost_lines(study, budget_s, folder, files), json, quiet
-    )
+    answer.give(study.document(budget_s), cost_lines(study, budget_s, folder, paths), paths)
     _end(study, folder)
 
 

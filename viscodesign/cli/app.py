@@ -13,7 +13,7 @@ from typing import Annotated
 import typer
 
 from viscodesign._version import __version__
-from viscodesign.cli.options import Debug
+from viscodesign.cli.options import Debug, with_single_options
 
 
 def _print_version(wanted: bool) -> None:
@@ -79,5 +79,5 @@ def app_with(names: Sequence[str], *, completion: bool = False) -> typer.Typer:
         if name == PUMP:
             app.add_typer(module.pump)
         else:
-            app.command(name, epilog=module.EXAMPLE)(module.command)
+            app.command(name, epilog=module.EXAMPLE)(with_single_options(module.command))
     return app

@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from viscodesign.cli.options import Debug, Json, Output, Overrides, Quiet, Specs
+from viscodesign.cli.options import Answer, Output, Overrides, Specs
 from viscodesign.cli.output import json_text, write_text
 from viscodesign.cli.specs import SpecResult, read_any, run_specs
 
@@ -24,9 +24,8 @@ def command(
     specs: Specs,
     overrides: Overrides = None,
     output: Output = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """Validate specs and weigh every effect.
 
@@ -34,6 +33,7 @@ def command(
     solves nothing. `-` reads a spec from standard input. With -o also writes DIR/check.json.
     A valid spec with warnings exits with 0; of several specs the largest exit code counts.
     """
+    silent = answer.json or answer.quiet
 
     def run(spec: Path) -> SpecResult:
         from viscodesign import RobotScene, check
@@ -41,19 +41,19 @@ def command(
 
         scene = read_any(spec, overrides)
         if isinstance(scene, RobotScene):
-            return _robot_result(scene, silent=json or quiet)
+            return _robot_result(scene, silent=silent)
         if isinstance(scene, SeveralScene):
             from viscodesign.cli.several import checked_several
 
-            return checked_several(scene, lines=not (json or quiet))
+            return checked_several(scene, lines=not silent)
         found = check(scene)
-        return SpecResult(found.document(), [] if json or quiet else check_lines(found))
+        return SpecResult(found.document(), [] if silent else check_lines(found))
 
     def keep(document: dict[str, Any]) -> None:
         if output is not None:
             write_text(output / "check.json", json_text(document) + "\n", overwrite=True)
 
-    run_specs(specs, run, json=json, quiet=quiet, debug=_debug, keep=keep)
+    run_specs(specs, run, answer, keep)
 
 
 def _robot_result(scene: RobotScene, *, silent: bool) -> SpecResult:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Output, Quiet
+from viscodesign.cli.options import Answer, Output
 
 EXAMPLE = """\b
 Examples:
@@ -18,9 +18,8 @@ Examples:
 def command(
     run: Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")],
     output: Output = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """Print BibTeX of what a run used.
 
@@ -29,7 +28,7 @@ def command(
     DIR/references.bib.
     """
     from viscodesign.citations import citations_of, own_sources
-    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.cli.output import write_text
     from viscodesign.report.read_run import read_run
 
     read = read_run(run)
@@ -39,16 +38,8 @@ def command(
         text += "\n\n% without a work of its own:" + "".join(f"\n% {line}" for line in others)
     if output is not None:
         write_text(output / "references.bib", text + "\n", overwrite=True)
-    if json:
-        entries = [
-            {
-                "key": c.reference.key,
-                "type": c.reference.kind,
-                "uses": list(c.uses),
-                **c.reference.fields,
-            }
-            for c in found
-        ]
-        say(json_text({"references": entries, "without_a_work": others}))
-    elif not quiet:
-        say(text)
+    entries = [
+        dict(key=c.reference.key, type=c.reference.kind, uses=list(c.uses), **c.reference.fields)
+        for c in found
+    ]
+    answer.give({"references": entries, "without_a_work": others}, [text])

@@ -8,16 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Json,
-    Output,
-    Overrides,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    Specs,
-)
+from viscodesign.cli.options import Answer, Output, Overrides, PictureStyle, PictureWidth, Specs
 from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
@@ -43,9 +34,8 @@ def command(
     width: PictureWidth = None,
     overrides: Overrides = None,
     output: Output = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """Place specs on the plane of timescales.
 
@@ -54,7 +44,7 @@ def command(
     """
     from viscodesign import RobotScene
     from viscodesign.checks.check_several import classified
-    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.cli.output import json_text, write_text
     from viscodesign.cli.specs import read_any
     from viscodesign.results.findings import classification_document
     from viscodesign.results.provenance import provenance
@@ -70,15 +60,12 @@ def command(
         else:
             found += classified(scene)
     documents = [classification_document(c) for c in found]
-    document = json_text({"specs": documents, "provenance": provenance()})
+    document = {"specs": documents, "provenance": provenance()}
     if output is not None:
-        write_text(output / "classification.json", document + "\n", overwrite=True)
+        write_text(output / "classification.json", json_text(document) + "\n", overwrite=True)
     if picture is not None:
         _draw(found, picture, pictures)
-    if json:
-        say(document)
-    elif not quiet:
-        say("\n".join(_lines(found)))
+    answer.give(document, _lines(found))
 
 
 def _picture(plot: Path | None) -> Path | None:

@@ -9,22 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from viscodesign.cli.comparison_options import ComparisonOptions, rest_of
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    Markers,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-)
+from viscodesign.cli.options import Markers
 from viscodesign.cli.specs import STANDARD_INPUT, read_scene
 from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.run_comparison import Comparison
@@ -60,7 +47,6 @@ def command(
             "--figure", metavar="1|3|4", help="Make a figure of the paper, and check its words."
         ),
     ] = None,
-    overrides: Overrides = None,
     period: Annotated[
         str | None,
         typer.Option(
@@ -70,21 +56,8 @@ def command(
         ),
     ] = None,
     markers: Markers = None,
-    no_verify: Annotated[
-        bool, typer.Option("--no-verify", help="Skip the error estimate of specs.")
-    ] = False,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    no_report: Annotated[
-        bool, typer.Option("--no-report", help="Skip the page, compare.html.")
-    ] = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    options: ComparisonOptions,
 ) -> None:
     """Compare runs, specs and measured tables.
 
@@ -96,73 +69,57 @@ def command(
     With --figure the scenes of a figure of the paper are simulated, and each of its
     statements is checked: figure_3.csv, figure_3.json and figure_3.png.
     """
-    pictures = picture_options(picture_format, style, width)
-    options = ComparisonOptions(
-        overrides or [], not no_verify, not no_plots, not no_report, pictures, force, json,
-        quiet,
-    )  # fmt: skip
     if figure is None:
-        _compare(motions or [], period, markers, output, options)
+        _compare(motions or [], period, markers, options)
     elif motions:
         raise UsageError(f"--figure {figure} takes no motions; got {motions[0]}")
     else:
         from viscodesign.cli.compare_figure import compare_figure
 
-        compare_figure(figure, output, options)
+        compare_figure(figure, options)
 
 
 def _compare(
     motions: Sequence[Path],
     period: str | None,
     markers: Path | None,
-    output: Path | None,
     options: ComparisonOptions,
 ) -> None:
     from viscodesign.cli.option_values import positive_time
 
     period_s = None if period is None else positive_time("--period", period)
     from viscodesign import compare
-    from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.texts.compare_text import comparison_lines
     from viscodesign.report.comparison_folder import write_comparison
     from viscodesign.report.folder import COMPARED_RUNS, new_folder
 
-    folder = output if output is not None else _default_folder(motions)
+    files, answer, overrides = options.files, options.answer, options.overrides or ()
+    folder = files.output or _default_folder(motions)
     with (
-        new_folder(folder, force=options.force),
-        progress(options.quiet, first="simulating") as advance,
+        new_folder(folder, force=files.force),
+        progress(answer.quiet, first="simulating") as advance,
     ):
         found = _kept(
             lambda: compare(
-                *(_operand(motion, options.overrides) for motion in motions),
-                overrides=options.overrides,
+                *(_operand(motion, overrides) for motion in motions),
+                overrides=overrides,
                 period=period_s,
                 markers=markers,
-                verify=options.verify,
+                verify=not options.no_verify,
                 folder=folder / COMPARED_RUNS,
                 progress=advance,
             ),
             folder,
         )
-    files = written(
-        lambda place: write_comparison(
-            found,
-            place,
-            plots=options.plots,
-            report=options.report,
-            force=options.force,
-            pictures=options.pictures,
-        ),
+    paths = written(
+        lambda place: write_comparison(found, place, report=not options.no_report, **files.writing),
         folder,
     )
-    if options.json:
-        say(json_text({**found.document(), "files": [str(file) for file in files]}))
-        if not options.quiet and found.notes:
-            complain("\n".join(f"note: {note}" for note in found.notes))
-    elif not options.quiet:
-        say("\n".join(comparison_lines(found, folder, files)))
+    answer.give(found.document(), comparison_lines(found, folder, paths), paths)
+    if answer.json:
+        answer.remark("\n".join(f"note: {note}" for note in found.notes))
     _end(found, folder)
 
 

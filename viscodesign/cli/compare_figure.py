@@ -13,9 +13,8 @@ if TYPE_CHECKING:
     from viscodesign.results.paper_figure import PaperFigure
 
 
-def compare_figure(number: int, output: Path | None, options: ComparisonOptions) -> None:
+def compare_figure(number: int, options: ComparisonOptions) -> None:
     """Make a figure, write its files and tell its statements."""
-    from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.templates import DEFAULT, templates
     from viscodesign.comparison.paper_figures import figure_plan, paper_figure
@@ -23,29 +22,24 @@ def compare_figure(number: int, output: Path | None, options: ComparisonOptions)
     from viscodesign.report.folder import COMPARED_RUNS, new_folder
 
     plan = figure_plan(number, templates()[DEFAULT].path.parent)
-    folder = output if output is not None else Path("runs") / f"figure_{number}"
+    files = options.files
+    folder = files.output or Path("runs") / f"figure_{number}"
     with (
-        new_folder(folder, force=options.force),
-        progress(options.quiet, first="simulating") as advance,
+        new_folder(folder, force=files.force),
+        progress(options.answer.quiet, first="simulating") as advance,
     ):
         try:
             found = paper_figure(
                 plan,
-                overrides=options.overrides,
-                verify=options.verify,
+                overrides=options.overrides or (),
+                verify=not options.no_verify,
                 folder=folder / COMPARED_RUNS,
                 progress=advance,
             )
         except KeyboardInterrupt:
             raise InterruptedRunError(f"interrupted\n{rest_of(folder)}") from None
-    files = write_figure(
-        found,
-        folder,
-        plots=options.plots,
-        force=options.force,
-        pictures=options.pictures,
-    )
-    say_result(found.document(), files, _lines(found, folder, files), options.json, options.quiet)
+    paths = write_figure(found, folder, **files.writing)
+    options.answer.give(found.document(), _lines(found, folder, paths), paths)
 
 
 def _lines(found: PaperFigure, folder: Path, files: Sequence[Path]) -> Iterator[str]:

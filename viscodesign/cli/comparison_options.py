@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+from dataclasses import KW_ONLY
 from pathlib import Path
+from typing import Annotated
 
+import typer
+
+from viscodesign.cli.options import Answer, Overrides, ResultFiles
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.picture_options import PictureOptions
 
 
 @dataclass(frozen=True)
 class ComparisonOptions:
     """What the command line asks of a comparison."""
 
-    overrides: list[str]
-    verify: bool
-    plots: bool
-    report: bool
-    pictures: PictureOptions
-    force: bool
-    json: bool
-    quiet: bool
+    overrides: Overrides = None
+    no_verify: Annotated[
+        bool, typer.Option("--no-verify", help="Skip the error estimate of specs.")
+    ] = False
+    no_report: Annotated[bool, typer.Option("--no-report", help="Skip the page, compare.html.")] = (
+        False
+    )
+    _: KW_ONLY
+    files: ResultFiles
+    answer: Answer
 
 
 def rest_of(folder: Path) -> str:

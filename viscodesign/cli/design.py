@@ -8,20 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-)
+from viscodesign.cli.options import Answer, Overrides, ResultFiles
 from viscodesign.errors import InterruptedRunError, ViscodesignError
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.path_design import PathDesign
@@ -54,15 +42,9 @@ def command(
         int | None,
         typer.Option("--workers", min=1, metavar="N", help="Processes; by default one a core."),
     ] = None,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Find a design whose tip follows a path.
 
@@ -72,10 +54,8 @@ def command(
     cannot be followed exits with 3 and says what limits it. Ctrl-C keeps the
     best so far.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import design as find
     from viscodesign.cli.option_values import positive_time
-    from viscodesign.cli.output import say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.spare_folder import written
@@ -84,8 +64,11 @@ def command(
     from viscodesign.report.folder import new_folder
 
     seconds = None if budget is None else positive_time("--budget", budget)
-    folder = named_folder(target.stem, output, "_design")
-    with new_folder(folder, force=force), progress(quiet, first="designing") as advance:
+    folder = named_folder(target.stem, files.output, "_design")
+    with (
+        new_folder(folder, force=files.force),
+        progress(answer.quiet, first="designing") as advance,
+    ):
 
         def tell(fraction: float, best_m: float) -> None:
             is_known = math.isfinite(best_m)
@@ -94,13 +77,8 @@ def command(
         found = find(
             target, overrides or (), budget=seconds, seed=seed, workers=workers, progress=tell
         )
-    files = written(
-        lambda place: write_design(
-            found, place, plots=not no_plots, force=force, pictures=pictures
-        ),
-        folder,
-    )
-    say_result(found.document(), files, design_lines(found, folder, files), json, quiet)
+    paths = written(lambda place: write_design(found, place, **files.writing), folder)
+    answer.give(found.document(), design_lines(found, folder, paths), paths)
     _end(found, folder)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from viscodesign.cli.completion import effect_names
-from viscodesign.cli.options import Debug, Json, Output, Quiet
+from viscodesign.cli.options import Answer, Output
 
 if TYPE_CHECKING:
     from viscodesign.effects.base import Effect
@@ -27,27 +27,23 @@ def command(
         typer.Argument(metavar="NAME", help="The effect to describe.", autocompletion=effect_names),
     ] = None,
     output: Output = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """List the effects, or describe one.
 
     Shows what each effect is, the weight that says when it matters, its range of validity,
     its source and its keys in a spec. With -o also writes DIR/effects.json.
     """
-    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.cli.output import json_text, write_text
     from viscodesign.effects.catalogue import catalogue
 
     known = catalogue()
     chosen = known if name is None else {name: _found(name, known)}
-    document = json_text({"effects": [_document(kind) for kind in chosen.values()]})
+    document = {"effects": [_document(kind) for kind in chosen.values()]}
     if output is not None:
-        write_text(output / "effects.json", document + "\n", overwrite=True)
-    if json:
-        say(document)
-    elif not quiet:
-        say("\n".join(_table(chosen) if name is None else _page(chosen[name])))
+        write_text(output / "effects.json", json_text(document) + "\n", overwrite=True)
+    answer.give(document, _table(chosen) if name is None else _page(chosen[name]))
 
 
 def _found(name: str, known: Mapping[str, type[Effect]]) -> type[Effect]:

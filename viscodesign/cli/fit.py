@@ -7,23 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    Markers,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
+from viscodesign.cli.options import Answer, Markers, Overrides, ResultFiles, Spec
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError, ViscodesignError
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.fit_result import Fit
@@ -69,15 +55,9 @@ def command(
             help="Tell which experiment would tell most. Default: where a number is unknown.",
         ),
     ] = None,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Fit numbers of a spec to recordings of its motion.
 
@@ -87,9 +67,7 @@ def command(
     says which numbers the data cannot tell apart. A model that does not describe the
     recordings exits with 3, its numbers kept. Ctrl-C keeps the best so far.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import fit as find
-    from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.spare_folder import written
@@ -98,10 +76,9 @@ def command(
     from viscodesign.report.folder import new_folder
 
     scene = read_scene(spec, overrides)
-    folder, remark = folder_for(scene, output, suffix="_fit")
-    if remark and not quiet:
-        complain(remark)
-    with new_folder(folder, force=force), progress(quiet, first="fitting") as advance:
+    folder, remark = folder_for(scene, files.output, suffix="_fit")
+    answer.remark(remark)
+    with new_folder(folder, force=files.force), progress(answer.quiet, first="fitting") as advance:
         found = find(
             scene,
             data,
@@ -110,11 +87,8 @@ def command(
             next_experiment=following,
             progress=advance,
         )
-    files = written(
-        lambda place: write_fit(found, place, plots=not no_plots, force=force, pictures=pictures),
-        folder,
-    )
-    say_result(found.document(), files, fit_lines(found, folder, files), json, quiet)
+    paths = written(lambda place: write_fit(found, place, **files.writing), folder)
+    answer.give(found.document(), fit_lines(found, folder, paths), paths)
     _end(found, folder)
 
 

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from viscodesign.cli.completion import template_names
-from viscodesign.cli.options import Debug, Json, Output, Quiet
+from viscodesign.cli.options import Answer, Output
 from viscodesign.cli.templates import DEFAULT
 from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
@@ -66,9 +66,8 @@ def command(
     listing: Annotated[bool, typer.Option("--list", help="List the templates and exit.")] = False,
     force: Annotated[bool, typer.Option("--force", help="Overwrite PATH if it exists.")] = False,
     output: Output = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """Write a commented spec to start from.
 
@@ -76,10 +75,10 @@ def command(
     prints their paths. With --measure, writes one for your own sizes: coefficients that are
     not given by --set are estimated from Young's modulus and the wall, and marked as such.
     """
-    from viscodesign.cli.output import json_text, say, write_text
+    from viscodesign.cli.output import write_text
 
     if listing:
-        _list(json)
+        _list(answer.json)
         return
     target = path if output is None else output / path
     if measure:
@@ -89,11 +88,8 @@ def command(
     else:
         own = _bundled(target, name or DEFAULT)
     written = [write_text(file, text, overwrite=force) for file, text in own.files.items()]
-    if json:
-        tables = [str(table) for table in written[1:]]
-        say(json_text({"path": str(written[0]), "template": own.template, "tables": tables}))
-    elif not quiet:
-        say("\n".join(map(str, written)))
+    spec, *tables = map(str, written)
+    answer.give({"path": spec, "template": own.template, "tables": tables}, [spec, *tables])
 
 
 @dataclass(frozen=True)

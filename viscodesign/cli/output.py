@@ -7,7 +7,7 @@ import contextvars
 import json
 import os
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -55,20 +55,6 @@ def say(text: str = "") -> None:
         # The interpreter would flush again at exit, and print its own error.
         abandon_stdout()
         raise OutputError(f"standard output: {error.strerror or error}") from error
-
-
-def say_result(
-    document: Mapping[str, Any],
-    files: Sequence[Path],
-    lines: Iterable[str],
-    as_json: bool,
-    quiet: bool,
-) -> None:
-    """Print what a command found and the files that it wrote, as JSON or as lines of text."""
-    if as_json:
-        say(json_text({**document, "files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(lines))
 
 
 def complain(text: str) -> None:

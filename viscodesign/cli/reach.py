@@ -7,21 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
+from viscodesign.cli.options import Answer, Overrides, ResultFiles, Spec
 from viscodesign.errors import InterruptedRunError, ViscodesignError
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.reach_study import ReachStudy
@@ -65,15 +52,9 @@ def command(
         typer.Option("--harmonics", metavar="N", min=1, help="Periodic inputs of N harmonics."),
     ] = None,
     seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the starts.")] = 0,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Tell where the tip can be, and what brings it there.
 
@@ -82,10 +63,8 @@ def command(
     point that is out of reach exits with 3 and says by how much. Ctrl-C keeps
     what there is.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import reach as study_of
     from viscodesign.cli.option_values import pair, positive_time
-    from viscodesign.cli.output import say_result
     from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
@@ -99,14 +78,11 @@ def command(
     scene = read_scene(spec, overrides)
     if limits is not None and scene.input is not None:
         _refuse_bare(limits, scene)
-    folder = named_folder(scene.name, output, "_reach")
-    with new_folder(folder, force=force):
+    folder = named_folder(scene.name, files.output, "_reach")
+    with new_folder(folder, force=files.force):
         study = study_of(scene, limits=ends, harmonics=harmonics, at=point, time=seconds, seed=seed)
-    files = written(
-        lambda place: write_reach(study, place, plots=not no_plots, force=force, pictures=pictures),
-        folder,
-    )
-    say_result(study.document(), files, reach_lines(study, folder, files), json, quiet)
+    paths = written(lambda place: write_reach(study, place, **files.writing), folder)
+    answer.give(study.document(), reach_lines(study, folder, paths), paths)
     _end(study, folder)
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Output, PictureFormat, PictureStyle, Quiet
+from viscodesign.cli.options import Answer, Output, PictureFormat, PictureStyle
 from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b
@@ -64,9 +64,8 @@ def command(
             help="Width of the pictures: single (89 mm), double (183 mm) or 80 to 400 mm.",
         ),
     ] = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """Write the page of a run again, its pictures, and a film of it.
 
@@ -75,7 +74,6 @@ def command(
     --style dark, else plain.
     """
     from viscodesign.cli.film_file import film_file, told_what_is_kept
-    from viscodesign.cli.output import json_text, say
     from viscodesign.report.saved_run import saved_run
 
     drawing = picture_options(picture_format, style, picture_width)
@@ -95,7 +93,4 @@ def command(
             files += shown.pictures(folder, drawing)
         if film is not None:
             files.append(shown.film(film, **options))
-    if json:
-        say(json_text({"files": [str(file) for file in files]}))
-    elif not quiet:
-        say("\n".join(str(file) for file in files))
+    answer.give({}, map(str, files), files)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from viscodesign.cli.options import Debug, Json, Output, Quiet
+from viscodesign.cli.options import Answer, Output
 
 EXAMPLE = """\b
 Example:
@@ -13,9 +13,8 @@ Then let your editor find it, by a first line in the spec:
 
 def command(
     output: Output = None,
-    _json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    answer: Answer,
 ) -> None:
     """Print the JSON Schema of a spec.
 
@@ -28,5 +27,5 @@ def command(
     document = json_text(schema())
     if output is not None:
         write_text(output / "spec.schema.json", document + "\n", overwrite=True)
-    if not quiet or _json:
+    if not answer.quiet or answer.json:
         say(document)

@@ -6,21 +6,8 @@ from typing import Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
+from viscodesign.cli.options import Answer, Overrides, ResultFiles, Spec
 from viscodesign.errors import InterruptedRunError
-from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b
 Examples:
@@ -46,24 +33,16 @@ def command(
         bool, typer.Option("--sobol", help="Check the band by solving a sample.")
     ] = False,
     seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the sample.")] = 0,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Tell how far each number of a spec moves the tip.
 
     Without --tolerance for all numbers, in mm per percent; with it for these numbers, and the
     band that they give. Writes sensitivity.csv, sensitivity.json and sensitivity.png.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import sensitivity as study_of
-    from viscodesign.cli.output import complain, say_result
     from viscodesign.cli.run_folders import folder_for
     from viscodesign.cli.spare_folder import written
     from viscodesign.cli.specs import read_scene
@@ -73,21 +52,15 @@ def command(
     from viscodesign.results.sensitivity_study import SensitivityInterruptedError
 
     scene = read_scene(spec, overrides)
-    folder, remark = folder_for(scene, output)
-    if remark and not quiet:
-        complain(remark)
+    folder, remark = folder_for(scene, files.output)
+    answer.remark(remark)
     stopped: SensitivityInterruptedError | None = None
-    with new_folder(folder, force=force):
+    with new_folder(folder, force=files.force):
         try:
             study = study_of(scene, tolerance or None, sobol=sobol, seed=seed)
         except SensitivityInterruptedError as early:
             study, stopped = early.study, early
-    files = written(
-        lambda place: write_sensitivity(
-            study, place, plots=not no_plots, force=force, pictures=pictures
-        ),
-        folder,
-    )
-    say_result(study.document(), files, sensitivity_lines(study, folder, files), json, quiet)
+    paths = written(lambda place: write_sensitivity(study, place, **files.writing), folder)
+    answer.give(study.document(), sensitivity_lines(study, folder, paths), paths)
     if stopped is not None:
         raise InterruptedRunError(f"{stopped}\nwhat there is is in {folder}")

@@ -39,25 +39,11 @@ def simulated_several(scene: SeveralScene, folder: Path, options: RunOptions) ->
     from viscodesign.report.folder import new_folder
     from viscodesign.report.several_folder import write_several
 
-    with new_folder(folder, force=options.force), progress(options.quiet) as advance:
-        found = simulate_several(
-            scene,
-            verify=options.verify,
-            prove=options.prove,
-            uncertainty=options.uncertainty,
-            progress=advance,
-            scratch=folder,
-        )
-    files = write_several(
-        found,
-        folder,
-        plots=options.plots,
-        report=options.report,
-        force=options.force,
-        pictures=options.pictures,
-    )
+    with new_folder(folder, force=options.files.force), progress(options.answer.quiet) as advance:
+        found = simulate_several(scene, **options.solving, progress=advance, scratch=folder)
+    files = write_several(found, folder, **options.writing)
     document = {**found.summary(), "files": [str(file) for file in files]}
-    lines = [] if options.json else _lines(found, folder)
+    lines = [] if options.answer.json else _lines(found, folder)
     return SpecResult(document, lines, _incomplete(found, folder))
 
 

@@ -4,30 +4,16 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
+from dataclasses import KW_ONLY, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    NoReport,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Specs,
-)
-from viscodesign.cli.output import complain
+from viscodesign.cli.options import Answer, NoReport, Overrides, ResultFiles, Specs
 from viscodesign.cli.specs import SpecResult, read_any, run_specs
 from viscodesign.errors import InterruptedRunError, RunFailedError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
     from viscodesign.report.run_folder import WrittenRun
@@ -44,35 +30,48 @@ Examples:
   viscodesign simulate configs/leg_*.yaml --no-plots"""
 
 
-def command(
-    context: typer.Context,
-    specs: Specs,
-    overrides: Overrides = None,
-    output: RunFolder = None,
+@dataclass(frozen=True)
+class RunOptions:
+    """What the command line asks of every spec."""
+
     prove: Annotated[
         bool,
         typer.Option(
             "--prove", help="Measure each effect: switch it, solve again, compare the tips."
         ),
-    ] = False,
+    ] = False
     no_verify: Annotated[
         bool, typer.Option("--no-verify", help="Skip the estimate of the tip error.")
-    ] = False,
+    ] = False
     no_uncertainty: Annotated[
         bool,
         typer.Option(
             "--no-uncertainty", help="Leave out the band that the spec's `uncertainty` gives."
         ),
-    ] = False,
-    no_plots: NoPlots = False,
-    no_report: NoReport = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    ] = False
+    no_report: NoReport = False
+    _: KW_ONLY
+    files: ResultFiles
+    answer: Answer
+
+    @property
+    def solving(self) -> dict[str, bool]:
+        """What a simulation takes."""
+        verify, band = not self.no_verify, not self.no_uncertainty
+        return {"prove": self.prove, "verify": verify, "uncertainty": band}
+
+    @property
+    def writing(self) -> dict[str, Any]:
+        """What those who write a run's files take."""
+        return {"report": not self.no_report, **self.files.writing}
+
+
+def command(
+    context: typer.Context,
+    specs: Specs,
+    overrides: Overrides = None,
+    *,
+    options: RunOptions,
 ) -> None:
     """Simulate specs and write their motions.
 
@@ -83,18 +82,7 @@ def command(
     labelled as such. One spec that fails does not stop the others; the exit code is then the
     largest.
     """
-    pictures = picture_options(picture_format, style, width)
-    options = RunOptions(
-        prove,
-        not no_verify,
-        not no_uncertainty,
-        not no_plots,
-        not no_report,
-        pictures,
-        force,
-        json,
-        quiet,
-    )
+    files, answer = options.files, options.answer
     begun = Beginnings(context.obj)
     taken: set[Path] = set()
 
@@ -105,33 +93,17 @@ def command(
 
         began, scene = next(begun), read_any(spec, overrides)
         if isinstance(scene, RobotScene):
-            return _walked(scene, _own_output(scene, output, len(specs)), options)
-        folder, remark = folder_for(scene, output, taken if len(specs) > 1 else None)
+            return _walked(scene, options, alone=len(specs) == 1)
+        folder, remark = folder_for(scene, files.output, taken if len(specs) > 1 else None)
         taken.add(folder)
-        if remark and not quiet:
-            complain(remark)
+        answer.remark(remark)
         if isinstance(scene, SeveralScene):
             from viscodesign.cli.several import simulated_several
 
             return simulated_several(scene, folder, options)
         return _simulated(scene, folder, options, began)
 
-    run_specs(specs, run, json=json, quiet=quiet, debug=_debug)
-
-
-@dataclass(frozen=True)
-class RunOptions:
-    """What the command line asks of every spec."""
-
-    prove: bool
-    verify: bool
-    uncertainty: bool
-    plots: bool
-    report: bool
-    pictures: PictureOptions
-    force: bool
-    json: bool
-    quiet: bool
+    run_specs(specs, run, answer)
 
 
 class Beginnings:
@@ -145,28 +117,20 @@ class Beginnings:
         return clock.perf_counter() if began is None else began
 
 
-def _walked(scene: RobotScene, output: Path | None, options: RunOptions) -> SpecResult:
-    """The motion of a robot is its gait: the same as `walk`."""
+def _walked(scene: RobotScene, options: RunOptions, *, alone: bool) -> SpecResult:
+    """The motion of a robot is its gait: the same as `walk`.
+
+    Written to the folder given by -o where it is ``alone``, else to one of its own in it.
+    """
+    from viscodesign.cli.run_folders import folder_name
     from viscodesign.cli.walk import no_speed, walked
 
-    study, files, lines = walked(
-        scene,
-        output,
-        plots=options.plots,
-        report=options.report,
-        pictures=options.pictures,
-        force=options.force,
-        quiet=options.quiet,
-    )
-    document = {**study.document(), "files": [str(file) for file in files]}
+    files = options.files
+    if files.output is not None and not alone:
+        files = replace(files, output=files.output / folder_name(scene.name))
+    study, paths, lines = walked(scene, files, options.answer, report=not options.no_report)
+    document = {**study.document(), "files": [str(path) for path in paths]}
     return SpecResult(document, lines, no_speed(study))
-
-
-def _own_output(scene: RobotScene, output: Path | None, specs: int) -> Path | None:
-    """The folder given by -o, or one of its own in it where there are many specs."""
-    from viscodesign.cli.run_folders import folder_name
-
-    return output if output is None or specs == 1 else output / folder_name(scene.name)
 
 
 def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) -> SpecResult:
@@ -181,33 +145,19 @@ def _simulated(scene: Scene, folder: Path, options: RunOptions, began: float) ->
     load_s = clock.perf_counter() - began
     later = "verifying and measuring effects" if options.prove else "verifying"
     with (
-        new_folder(folder, force=options.force),
+        new_folder(folder, force=options.files.force),
         gentle_interrupt() as interrupt,
-        progress(options.quiet, later) as advance,
+        progress(options.answer.quiet, later) as advance,
     ):
         trajectory = _kept(
-            lambda: solve(
-                scene,
-                verify=options.verify,
-                prove=options.prove,
-                uncertainty=options.uncertainty,
-                progress=advance,
-                scratch=folder,
-            )
+            lambda: solve(scene, **options.solving, progress=advance, scratch=folder)
         )
-    if options.plots:
+    if not options.files.no_plots:
         from viscodesign.report.layout.undocumented import import_undocumented
 
         import_undocumented()
     files = written(
-        lambda place: write_timed(
-            trajectory.with_time(load_s=load_s),
-            place,
-            plots=options.plots,
-            report=options.report,
-            force=options.force,
-            pictures=options.pictures,
-        ),
+        lambda place: write_timed(trajectory.with_time(load_s=load_s), place, **options.writing),
         folder,
     )
     return _result(files, folder, options, interrupted=interrupt.asked)
@@ -222,22 +172,21 @@ def _result(
     trajectory, files = written.trajectory, written.files
     document = {**trajectory.summary(), "files": [str(file) for file in files]}
     error = _incomplete(trajectory, folder, interrupted=interrupted)
-    if options.json:
-        _warn(trajectory, options.quiet)
+    if options.answer.json:
+        _warn(trajectory, options.answer)
         return SpecResult(document, (), error)
     measured = ["", *ablation_lines(trajectory)] if options.prove else []
     lines = [*summary_lines(trajectory, folder, files), *measured]
     return SpecResult(document, lines, error)
 
 
-def _warn(trajectory: Trajectory, quiet: bool) -> None:
+def _warn(trajectory: Trajectory, answer: Answer) -> None:
     from viscodesign.cli.texts.ablation_text import wrongly_neglected_lines
     from viscodesign.cli.texts.check_text import notice_lines
 
     lines = notice_lines(trajectory.warnings)
     found = [*(["warnings", *lines] if lines else []), *wrongly_neglected_lines(trajectory)]
-    if found and not quiet:
-        complain("\n".join(found))
+    answer.remark("\n".join(found))
 
 
 def _kept(solve: Callable[[], Trajectory]) -> Trajectory:

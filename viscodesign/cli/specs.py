@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from viscodesign.cli.failures import INTERRUPTED, Failure, failure_of
+from viscodesign.cli.options import Answer
 from viscodesign.cli.output import ReaderGoneError, complain, json_text, say
 from viscodesign.errors import SpecError, UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
@@ -75,10 +76,7 @@ class SpecResult:
 def run_specs(
     specs: Sequence[Path],
     run: Callable[[Path], SpecResult],
-    *,
-    json: bool,
-    quiet: bool,
-    debug: bool,
+    answer: Answer,
     keep: Callable[[dict[str, Any]], None] = lambda document: None,
 ) -> None:
     """Run a command on each spec, and print what it found.
@@ -89,26 +87,26 @@ def run_specs(
     if [str(spec) for spec in specs].count(STANDARD_INPUT) > 1:
         raise UsageError("'-' is given twice; standard input holds one spec")
     if len(specs) == 1:
-        _run_alone(specs[0], run, json, quiet, keep)
+        _run_alone(specs[0], run, answer, keep)
         return
     documents, statuses = [], [0]
     for spec in specs:
-        found, failure = _outcome(spec, run, debug)
+        found, failure = _outcome(spec, run, answer.debug)
         told = {} if found is None else found.document
         error = {} if failure is None else {"error": failure.document}
         documents.append({"spec": str(spec), **told, **error})
         statuses.append(0 if failure is None else failure.status)
-        if found is not None and not (json or quiet):
+        if found is not None and not (answer.json or answer.quiet):
             say("\n".join([*([""] if len(documents) > 1 else []), *found.lines]))
         if failure is not None:
-            if debug and failure.error is not None:
+            if answer.debug and failure.error is not None:
                 traceback.print_exception(failure.error)
             complain(_named(failure.message, spec))
         if statuses[-1] == INTERRUPTED:
             break
     document = {"specs": documents}
     keep(document)
-    if json:
+    if answer.json:
         say(json_text(document))
     if max(statuses):
         raise typer.Exit(max(statuses))
@@ -117,16 +115,12 @@ def run_specs(
 def _run_alone(
     spec: Path,
     run: Callable[[Path], SpecResult],
-    json: bool,
-    quiet: bool,
+    answer: Answer,
     keep: Callable[[dict[str, Any]], None],
 ) -> None:
     found = run(spec)
     keep(found.document)
-    if json:
-        say(json_text(found.document))
-    elif not quiet:
-        say("\n".join(found.lines))
+    answer.give(found.document, found.lines)
     if found.error is not None:
         raise found.error
 

@@ -6,21 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
+from viscodesign.cli.options import Answer, Overrides, ResultFiles, Spec
 from viscodesign.errors import ViscodesignError
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.stand_study import StandStudy
@@ -57,15 +44,9 @@ def command(
             help="Height of a crouch, over that of the legs at the spec's pressure; repeatable.",
         ),
     ] = None,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Tell how a robot stands on its legs.
 
@@ -74,9 +55,7 @@ def command(
     that is heavier than its legs bear, slides or tips over exits with 3 and says why, and
     so does a --crouch out of reach.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import stand as study_of
-    from viscodesign.cli.output import say_result
     from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.specs import read_robot
     from viscodesign.cli.texts.stand_text import stand_lines
@@ -84,11 +63,11 @@ def command(
     from viscodesign.report.stand_folder import write_stand
 
     scene = read_robot(spec, overrides)
-    folder = named_folder(scene.name, output, "_stand")
-    with new_folder(folder, force=force):
+    folder = named_folder(scene.name, files.output, "_stand")
+    with new_folder(folder, force=files.force):
         study = study_of(scene, **({"height_ratios": crouch} if crouch else {}))
-    files = write_stand(study, folder, plots=not no_plots, force=force, pictures=pictures)
-    say_result(study.document(), files, stand_lines(study, folder, files), json, quiet)
+    paths = write_stand(study, folder, **files.writing)
+    answer.give(study.document(), stand_lines(study, folder, paths), paths)
     _refuse_sway(study)
     if crouch:
         _refuse_crouch(study)

@@ -7,22 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
+from viscodesign.cli.options import Answer, Overrides, ResultFiles, Spec
 from viscodesign.cli.specs import read_scene
 from viscodesign.errors import InterruptedRunError, UsageError, ViscodesignError, not_among
-from viscodesign.report.picture_options import picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.sweep_table import Sweep
@@ -81,15 +68,9 @@ def command(
     metric: Annotated[
         str, typer.Option("--metric", metavar="NAME", help="What the picture shows.")
     ] = DEFAULT_METRIC,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Solve many designs of a spec and write one table.
 
@@ -98,9 +79,7 @@ def command(
     sweep.png. A design that fails is named and the others go on. The same command continues
     what was interrupted or killed; --force replaces another sweep in the folder.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import sweep as solve
-    from viscodesign.cli.output import complain, json_text, say
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.spare_folder import written
@@ -112,8 +91,8 @@ def command(
     if metric not in METRIC_NAMES:
         raise UsageError(f"--metric: {not_among(metric, METRIC_NAMES)}")
     scene = read_scene(spec, overrides)
-    folder = named_folder(scene.name, output, "_sweep")
-    with progress(quiet, first="sweeping") as advance:
+    folder = named_folder(scene.name, files.output, "_sweep")
+    with progress(answer.quiet, first="sweeping") as advance:
         found = solve(
             scene,
             over,
@@ -123,26 +102,13 @@ def command(
             cluster=cluster,
             verify=verify,
             folder=folder,
-            force=force,
+            force=files.force,
             progress=advance,
         )
-    files = written(
-        lambda place: write_sweep(
-            found,
-            place,
-            metric=metric,
-            plots=not no_plots,
-            force=force,
-            pictures=pictures,
-        ),
-        folder,
-    )
-    if json:
-        say(json_text({**found.document(), "files": [str(file) for file in files]}))
-        if found.warnings and not quiet:
-            complain("\n".join(["warnings", *notice_lines(found.warnings)]))
-    elif not quiet:
-        say("\n".join(sweep_lines(found, folder, files)))
+    paths = written(lambda place: write_sweep(found, place, metric=metric, **files.writing), folder)
+    answer.give(found.document(), sweep_lines(found, folder, paths), paths)
+    if answer.json and found.warnings:
+        answer.remark("\n".join(["warnings", *notice_lines(found.warnings)]))
     _end(found, folder)
 
 

@@ -7,22 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    NoReport,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
+from viscodesign.cli.options import Answer, NoReport, Overrides, ResultFiles, Spec
 from viscodesign.errors import InterruptedRunError, ViscodesignError
-from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
     from viscodesign.results.walk_study import WalkStudy
@@ -50,16 +36,10 @@ def command(
         Path | None,
         typer.Option("--film", metavar="FILE", help="Also a film: .gif, .webp or .mp4."),
     ] = None,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
     no_report: NoReport = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Tell how a robot walks under its inputs.
 
@@ -68,35 +48,21 @@ def command(
     in motion. Where the advance depends on the step of the solution, no speed is stated, and
     it exits with 3.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign.cli.specs import read_robot
 
-    study, files, lines = walked(
-        read_robot(spec, overrides),
-        output,
-        plots=not no_plots,
-        report=not no_report,
-        pictures=pictures,
-        force=force,
-        quiet=quiet,
-        film=film,
-    )
-    from viscodesign.cli.output import say_result
-
-    say_result(study.document(), files, lines, json, quiet)
+    scene = read_robot(spec, overrides)
+    study, paths, lines = walked(scene, files, answer, report=not no_report, film=film)
+    answer.give(study.document(), lines, paths)
     if (error := no_speed(study)) is not None:
         raise error
 
 
 def walked(
     scene: RobotScene,
-    output: Path | None,
+    files: ResultFiles,
+    answer: Answer,
     *,
-    plots: bool,
     report: bool,
-    pictures: PictureOptions,
-    force: bool,
-    quiet: bool,
     film: Path | None = None,
 ) -> tuple[WalkStudy, list[Path], list[str]]:
     """The gait of a robot, the files that it is written to, and its lines of text."""
@@ -109,18 +75,16 @@ def walked(
     from viscodesign.report.folder import new_folder
     from viscodesign.report.walk_folder import write_walk
 
-    folder = named_folder(scene.name, output)
+    folder = named_folder(scene.name, files.output)
     later = "halving the step", "walking"
     with film_file(film):
-        with new_folder(folder, force=force), progress(quiet, *later) as advance:
+        with new_folder(folder, force=files.force), progress(answer.quiet, *later) as advance:
             study = study_of(scene, progress=advance)
-        files = write_walk(
-            study, folder, plots=plots, report=report, force=force, pictures=pictures
-        )
-        with told_what_is_kept(files, film):
+        paths = write_walk(study, folder, report=report, **files.writing)
+        with told_what_is_kept(paths, film):
             if film is not None:
-                files.append(write_walk_film(study, film))
-    return study, files, walk_lines(study, folder, files)
+                paths.append(write_walk_film(study, film))
+    return study, paths, walk_lines(study, folder, paths)
 
 
 def no_speed(study: WalkStudy) -> ViscodesignError | None:

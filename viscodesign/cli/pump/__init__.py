@@ -10,6 +10,7 @@ import pkgutil
 
 import typer
 
+from viscodesign.cli.options import with_single_options
 from viscodesign.cli.pump._board_help import PumpCommand
 
 pump = typer.Typer(
@@ -21,4 +22,5 @@ pump = typer.Typer(
 
 for _name in sorted(m.name for m in pkgutil.iter_modules(__path__) if not m.name.startswith("_")):
     _module = importlib.import_module(f"{__name__}.{_name}")
-    pump.command(_name, cls=PumpCommand, epilog=_module.EXAMPLE)(_module.command)
+    _command = with_single_options(_module.command)
+    pump.command(_name, cls=PumpCommand, epilog=_module.EXAMPLE)(_command)

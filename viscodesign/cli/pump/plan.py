@@ -2,23 +2,9 @@
 
 from __future__ import annotations
 
-from viscodesign.cli.options import (
-    Debug,
-    Force,
-    Json,
-    NoPlots,
-    Overrides,
-    PictureFormat,
-    PictureStyle,
-    PictureWidth,
-    Quiet,
-    RunFolder,
-    Spec,
-)
-from viscodesign.cli.output import complain, say_result
+from viscodesign.cli.options import Answer, Overrides, ResultFiles, Spec
 from viscodesign.cli.specs import read_pumped
 from viscodesign.errors import PumpError, RunFailedError
-from viscodesign.report.picture_options import picture_options
 
 EXAMPLE = """\b
 Examples:
@@ -30,15 +16,9 @@ Examples:
 def command(
     spec: Spec,
     overrides: Overrides = None,
-    output: RunFolder = None,
-    no_plots: NoPlots = False,
-    picture_format: PictureFormat = "png",
-    style: PictureStyle = "plain",
-    width: PictureWidth = None,
-    force: Force = False,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    *,
+    files: ResultFiles,
+    answer: Answer,
 ) -> None:
     """Turn wanted pressures into the pump's motion, and check it against its limits.
 
@@ -47,7 +27,6 @@ def command(
     changes where a limit is exceeded; and simulates what the pump would do instead. Writes
     plan.csv, plan.json and plan.png. Exits with 4 where the plan is infeasible.
     """
-    pictures = picture_options(picture_format, style, width)
     from viscodesign import plan
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import folder_for
@@ -58,13 +37,15 @@ def command(
 
     scene = read_pumped(spec, overrides)
     pump_of(scene)
-    folder, remark = folder_for(scene, output)
-    if remark and not quiet:
-        complain(remark)
-    with new_folder(folder, force=force), progress(quiet, "planning", first="planning") as advance:
+    folder, remark = folder_for(scene, files.output)
+    answer.remark(remark)
+    with (
+        new_folder(folder, force=files.force),
+        progress(answer.quiet, "planning", first="planning") as advance,
+    ):
         found = plan(scene, progress=advance)
-    files = write_plan(found, folder, plots=not no_plots, force=force, pictures=pictures)
-    say_result(plan_document(found), files, plan_lines(found, folder, files), json, quiet)
+    paths = write_plan(found, folder, **files.writing)
+    answer.give(plan_document(found), plan_lines(found, folder, paths), paths)
     if found.status != "complete":
         raise RunFailedError(f"{found.failure}\npartial results are in {folder}")
     if not found.is_feasible:
