@@ -12,7 +12,13 @@ import numpy as np
 
 from viscodesign import Trajectory
 from viscodesign.report.charts.tip_path import travelled
-from viscodesign.report.layout.label_placement import DIRECTIONS, DISTANCES, POINTS, Box, text_box
+from viscodesign.report.layout.label_placement import (
+    DIRECTIONS,
+    DISTANCES,
+    POINTS_PER_INCH,
+    Box,
+    text_box,
+)
 from viscodesign.report.layout.look import PLAIN
 from viscodesign.report.layout.style import axes_at, picture
 
@@ -108,7 +114,7 @@ def _choices(text: str, anchors: np.ndarray) -> Iterator[Choice]:
     for (x, y), (step, far), (u, v) in itertools.product(
         anchors, enumerate(DISTANCES[:4]), DIRECTIONS
     ):
-        place = (x + u * far / POINTS / SIDE, y + v * far / POINTS / SIDE)
+        place = (x + u * far / POINTS_PER_INCH / SIDE, y + v * far / POINTS_PER_INCH / SIDE)
         across = "center" if u == 0 else "left" if u > 0 else "right"
         upright = "center" if abs(v) < 1 else "bottom" if v > 0 else "top"
         box = text_box(text, place, across, upright, SIZE, SIDE)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -112,3 +113,16 @@ def arrows() -> Counter[Arrow]:
             (own, other) for name in imports_of(module) if (other := room_of(name)) and other != own
         )
     return found
+
+
+def constants() -> Iterator[tuple[str, str]]:
+    """Name and module of every constant in capitals."""
+    for module, path in modules().items():
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            targets = node.targets if isinstance(node, ast.Assign) else ()
+            if isinstance(node, ast.AnnAssign) and node.value:
+                targets = [node.target]
+            for target in targets:
+                for part in ast.walk(target):
+                    if isinstance(part, ast.Name) and part.id.isupper():
+                        yield part.id, module

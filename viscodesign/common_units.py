@@ -15,7 +15,7 @@ from pathlib import Path
 from viscodesign.lazy_dataclass import dataclass
 
 NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-MAX_DIGITS = 300
+MAX_FLOAT_DIGITS = 300
 """Digits before or after the point up to which a number surely fits into a `float`."""
 
 _TOKEN = re.compile(rf"\s*({NUMBER}|[^\W\d]+|%|\*\*|[-^*/()])\s*")
@@ -66,7 +66,10 @@ def value_in_si(number: str, spelled: str, unit: str) -> float | None:
 
 
 def _fits(value: Fraction) -> bool:
-    return not value or Fraction(10) ** -MAX_DIGITS < abs(value) < Fraction(10) ** MAX_DIGITS
+    return (
+        not value
+        or Fraction(10) ** -MAX_FLOAT_DIGITS < abs(value) < Fraction(10) ** MAX_FLOAT_DIGITS
+    )
 
 
 @lru_cache(maxsize=256)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import importlib
 from collections import Counter
 
 import pytest
@@ -12,6 +13,7 @@ from tests.architecture import (
     PACKAGE,
     RANK,
     Arrow,
+    constants,
     eager_imports_of,
     imports_of,
     modules,
@@ -104,3 +106,25 @@ def test_class_names_are_unique() -> None:
         if isinstance(node, ast.ClassDef)
     )
     assert [name for name, count in names.items() if count > 1] == []
+
+
+def test_a_constant_with_a_number_has_a_name_of_its_own() -> None:
+    """In the loops of `native.source`, constants are places in arrays; each array has its own."""
+    found: dict[str, list[str]] = {}
+    for name, module in constants():
+        if not module.startswith(("viscodesign.pump.", "viscodesign.native.source.")):
+            found.setdefault(name, []).append(module)
+    twice = {
+        name: {module: getattr(importlib.import_module(module), name) for module in homes}
+        for name, homes in found.items()
+        if len(homes) > 1
+    }
+    numbers = {
+        name: [module for module, value in values.items() if _is_number(value)]
+        for name, values in twice.items()
+    }
+    assert {name: homes for name, homes in numbers.items() if len(homes) > 1} == {}
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -9,7 +9,7 @@ from viscodesign.calibration.run_model import RunModel
 MOST_GUESSES = 401
 LONGEST = 0.25
 """Longest clock offset that is tried, as a part of the recording."""
-CLEARLY_BETTER = 0.9
+BETTER_START_SHARE = 0.9
 """A search begins from a shift whose misfit is below this part of the misfit without one."""
 CERTAIN = 4.0
 """Standard deviations from which a clock counts as late."""
@@ -30,7 +30,7 @@ def guessed_lateness(model: RunModel, free: np.ndarray, levels: np.ndarray) -> f
     motions = model.at_shifts(free, own, shifts)
     misfits = np.array([_misfit(measured, rows[:, places] / levels[places]) for rows in motions])
     best, none = int(np.argmin(misfits)), MOST_GUESSES // 2
-    is_clear = misfits[best] < CLEARLY_BETTER * misfits[none]
+    is_clear = misfits[best] < BETTER_START_SHARE * misfits[none]
     return float(shifts[best]) if is_clear else 0.0
 
 

@@ -19,7 +19,7 @@ from viscodesign.lazy_dataclass import dataclass
 FAR_BETTER = 0.1
 """Standard deviation of a product, in parts of that of its best known factor, up to which its
 factors count as impossible to tell apart."""
-WELL_KNOWN = 0.13
+WELL_KNOWN_PRODUCT = 0.13
 """Standard deviation of a logarithm up to which a product is worth telling: 25 % either way."""
 NEGLIGIBLE = 0.05
 """Power, over the largest of a product, that counts as none."""
@@ -82,7 +82,7 @@ def _product(row: np.ndarray, places: Sequence[int], covariance: np.ndarray) -> 
     block = covariance[np.ix_(own, own)]
     deviation = float(np.sqrt(max(weights @ block @ weights, 0.0)))
     least = float(np.sqrt(np.diag(block)).min())
-    if len(own) < 2 or deviation > min(FAR_BETTER * least, WELL_KNOWN):
+    if len(own) < 2 or deviation > min(FAR_BETTER * least, WELL_KNOWN_PRODUCT):
         return None
     whole = math.lcm(*(power.denominator for power in powers))
     return KnownProduct(tuple(own), tuple(power * whole for power in powers), deviation * whole)

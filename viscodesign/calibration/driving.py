@@ -22,9 +22,9 @@ MOST_SQUARES = 2.0
 it counts as what drove the run."""
 MOST_CORRELATION = 4.0
 """Correlation of neighbours in what it leaves, times the root of their number, likewise."""
-GROSS, MOST_GROSS = 6.0, 0.06
+GROSS_DRIVE_DEVIATIONS, MOST_GROSS_DRIVE = 6.0, 0.06
 """Standard deviations from which a sample is gross, and the part of them that may be."""
-CLEARLY_BETTER = 0.8
+OTHER_CLOCK_SHARE = 0.8
 """The clocks count as different if a shift leaves less than this part of the squares."""
 MOST_SHIFTS = 801
 """Shifts that are tried."""
@@ -142,9 +142,9 @@ def _is_noise(time: np.ndarray, residual: np.ndarray, fitted: int) -> bool:
     Its level is that by which neighbours differ in what is left: the pressure itself moves.
     """
     level = white_level(time, residual[:, None])
-    plain = residual[np.abs(residual) < GROSS * level]
+    plain = residual[np.abs(residual) < GROSS_DRIVE_DEVIATIONS * level]
     gross = len(residual) - len(plain)
-    if gross > 1 + MOST_GROSS * len(residual) or len(plain) < fitted + 3:
+    if gross > 1 + MOST_GROSS_DRIVE * len(residual) or len(plain) < fitted + 3:
         return False
     squares = float(plain @ plain)
     correlation = abs(float(plain[1:] @ plain[:-1])) / squares * np.sqrt(len(plain))
@@ -175,7 +175,7 @@ def _shift(scene: Scene, inlet: str, time: np.ndarray, pressure: np.ndarray) -> 
     squares = [_unlike(p, scene.inputs[inlet].values(np.maximum(t - own, 0.0))) for own in shifts]
     best = int(np.argmin(squares))
     own = _unlike(p, scene.inputs[inlet].values(np.maximum(t, 0.0)))
-    return float(shifts[best]) if squares[best] < CLEARLY_BETTER * own else 0.0
+    return float(shifts[best]) if squares[best] < OTHER_CLOCK_SHARE * own else 0.0
 
 
 def _unlike(measured: np.ndarray, values: np.ndarray) -> float:

@@ -21,21 +21,21 @@ from viscodesign.lazy_dataclass import dataclass
 
 ROBUST_SCALE = 2.0
 """Residual, in standard deviations, from which it counts less while gross ones are sought."""
-GROSS = 4.5
+GROSS_DEVIATIONS = 4.5
 """Standard deviations from which a sample is gross: of 10,000 good ones 0.07 are."""
 MOST_GROSS = 0.1
 """Part of a group's samples that may be gross: more are no slips of the tracking, but a model that
 does not fit."""
 REWEIGHTINGS = 2
-MAX_EVALUATIONS = 60
+MAX_FIT_EVALUATIONS = 60
 """Limit of one descent."""
-CONVERGED = 1e-6
+FIT_REL_TOL = 1e-6
 """Relative change of the squares that ends a descent: of 1,000 samples' squares it is a number's
 move by 0.03 standard deviations. Below it are changes by the steps of the solver."""
 MOST_POLISHING = 6
 POLISHED = 0.02
 """Largest step, in standard deviations, at which an estimate has settled."""
-SLACK = 0.05
+SOLVER_RISE = 0.05
 """Rise of the squares by such a step that is put down to the solver."""
 LEAST_LEVEL = 1e-3
 """Noise in parts of that found in the data alone, below which it does not fall."""
@@ -68,7 +68,7 @@ class Search:
         second optimum, from which no sample brings it back.
         """
         limits = SearchLimits(
-            stop=self.stop, tell=self._tell, evaluations=MAX_EVALUATIONS, converged=CONVERGED
+            stop=self.stop, tell=self._tell, evaluations=MAX_FIT_EVALUATIONS, converged=FIT_REL_TOL
         )
         found = least_squares(
             misfit,
@@ -124,7 +124,7 @@ def polished(search: Search, found: Estimate, misfit: Misfit) -> Estimate:
         steps = -covariance @ (jacobian.T @ residual)
         moved = np.clip(misfit.stepped(values, steps), ranges.low, ranges.high)
         new = misfit(moved)
-        if not new @ new <= residual @ residual + SLACK:
+        if not new @ new <= residual @ residual + SOLVER_RISE:
             break
         values, residual = moved, new
         if np.max(np.abs(steps / deviations)) < POLISHED:
@@ -150,7 +150,7 @@ def _gross(apart: np.ndarray) -> np.ndarray:
     known = np.isfinite(apart)
     size = np.abs(apart[known])
     level = float(np.median(size)) / NORMAL_MAD
-    found = known & (np.abs(np.where(known, apart, 0.0)) > GROSS * level)
+    found = known & (np.abs(np.where(known, apart, 0.0)) > GROSS_DEVIATIONS * level)
     return found if found.sum() <= MOST_GROSS * known.sum() else np.zeros_like(found)
 
 

@@ -14,7 +14,7 @@ from viscodesign.lazy_dataclass import dataclass
 PULL = 1.0
 """Standard deviation of the logarithm of a free number about the spec's value, which keeps numbers
 that the data hardly tell where they are. One known to 1 % is moved by 1e-4 of its distance."""
-LARGEST_STEP = 2.0
+LARGEST_LOG_STEP = 2.0
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Misfit:
 
     def stepped(self, values: np.ndarray, steps: np.ndarray) -> np.ndarray:
         """(u,) Values after steps of each number, none of which is longer than a factor of e^2."""
-        own = np.clip(steps, -LARGEST_STEP, LARGEST_STEP)
+        own = np.clip(steps, -LARGEST_LOG_STEP, LARGEST_LOG_STEP)
         is_log = np.array([unknown.is_log for unknown in self.unknowns])
         return np.asarray(np.where(is_log, values * np.exp(own), values + own * self.sizes(values)))
 

@@ -20,7 +20,7 @@ from viscodesign.calibration.profile_likelihood import NORMAL_95
 from viscodesign.calibration.recorded_columns import Measured
 from viscodesign.calibration.recording import RecordedChannel, Recording
 from viscodesign.calibration.run_model import RunModel, Solving
-from viscodesign.calibration.spread import WIDEST, Spread
+from viscodesign.calibration.spread import UNKNOWN_DEVIATION, Spread
 from viscodesign.effects.catalogue import catalogue
 from viscodesign.errors import ViscodesignError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -38,7 +38,7 @@ PULSE_AT = (0.1, 0.6)
 """When the pressure falls and when it rises again, as parts of the run."""
 VOLUME_NOISE = 0.005
 """Noise of a syringe's volume, in parts of what it delivers, where none was measured."""
-WELL_KNOWN = 0.01
+WELL_KNOWN_NUMBER = 0.01
 """Standard deviation below which it is of no more use to know a number better."""
 EFFORT = 0.15
 """Mean gain, in the logarithm of a standard deviation, that one more change must be worth."""
@@ -178,7 +178,10 @@ def _judged(
         deviations = np.sqrt(np.diag(np.linalg.inv(known + told)))
         sensors = ("syringe_volume_m3",) if takes_volume and not has_volume else ()
         effort = EFFORT * (len(candidate.words) + len(sensors))
-        score = float(np.mean(np.log(np.clip(deviations, WELL_KNOWN, WIDEST)))) + effort
+        score = (
+            float(np.mean(np.log(np.clip(deviations, WELL_KNOWN_NUMBER, UNKNOWN_DEVIATION))))
+            + effort
+        )
         yield score, _experiment(candidate, sensors, deviations, misfit, spread, is_same)
 
 

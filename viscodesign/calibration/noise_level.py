@@ -10,7 +10,7 @@ ORDERS = (1, 2, 3)
 """Rows on each side from which a row is predicted."""
 NORMAL_MAD = 0.6745
 """Median of the absolute values of a normal distribution, in standard deviations."""
-GROSS = 5.0
+GROSS_PREDICTION = 5.0
 """Standard deviations from which a prediction error is gross."""
 FEWEST_NEIGHBOURS = 4
 LEAST_REL = 1e-6
@@ -49,7 +49,7 @@ def white_level(time: np.ndarray, residuals: np.ndarray) -> float:
     if not len(every):
         return np.inf
     level = float(np.median(every)) / NORMAL_MAD
-    plain = every[every <= GROSS * level]
+    plain = every[every <= GROSS_PREDICTION * level]
     return max(float(np.sqrt(np.mean(plain**2))), LEAST_REL)
 
 

@@ -25,14 +25,14 @@ CLOSE = 0.02
 """Error of an end, in parts of its distance."""
 LARGEST_MOVE = 1.0
 """Step that is taken at once, beyond which the others are fitted again before it goes on."""
-MOST_POINTS = 12
+MOST_PROFILE_POINTS = 12
 """Points of a profile on one side."""
 FOLLOWING_STEPS = 3
 """Gauss-Newton steps in which the others follow, at most."""
 MOST_DERIVATIVES = 10
 """Points at which all profiles together have derivatives of their own; elsewhere those at the best
 fit have to do."""
-SETTLED = 0.02
+FOLLOWED_FALL = 0.02
 """Fall of the squares by such a step, over 3.84, at which they have followed."""
 
 
@@ -92,7 +92,7 @@ class Profiles:
         """
         inside, done, outside = ProfilePoint(self._spread.values, 0.0), 0.0, math.inf
         step = min(NORMAL_95 * profile.deviation, LARGEST_MOVE)
-        for _ in range(MOST_POINTS):
+        for _ in range(MOST_PROFILE_POINTS):
             if self._stop.asked:
                 raise KeyboardInterrupt
             found = profile.at(inside.values, sign * (step - done))
@@ -179,7 +179,7 @@ class _Profile:
             steps = np.zeros(len(values))
             steps[self._others] = -np.linalg.solve(information, jacobian.T @ residual)
             expected = -float(residual @ (jacobian @ steps[self._others]))
-            if expected < SETTLED * NORMAL_95**2:
+            if expected < FOLLOWED_FALL * NORMAL_95**2:
                 break
             try:
                 new, new_residual = self._point(self._stepped(point.values, steps))

@@ -26,7 +26,7 @@ from viscodesign.scene.tables.numbers import read_numbers
 from viscodesign.scene.tables.space_markers import TipInSpace, without_markers
 
 FEWEST_ROWS = 10
-MOST_ROWS = 200_000
+MOST_RECORDED_ROWS = 200_000
 MOST_LISTED = 5
 """Faults of one kind that a message lists."""
 OVERRIDE = "@"
@@ -142,9 +142,14 @@ def _channel(column: RecordedColumn, values: np.ndarray, scene: Scene) -> Record
 
 
 def _check_times(time: np.ndarray, lines: Callable[[], list[int]], file: str) -> None:
-    if len(time) < FEWEST_ROWS or len(time) > MOST_ROWS:
+    if len(time) < FEWEST_ROWS or len(time) > MOST_RECORDED_ROWS:
         raise SpecError(
-            [Fault(f"has {len(time)} rows; a fit needs {FEWEST_ROWS} to {MOST_ROWS}", file=file)]
+            [
+                Fault(
+                    f"has {len(time)} rows; a fit needs {FEWEST_ROWS} to {MOST_RECORDED_ROWS}",
+                    file=file,
+                )
+            ]
         )
     back = np.flatnonzero(~(np.diff(time) > 0.0)) + 1
     if not len(back):

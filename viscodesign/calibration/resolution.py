@@ -21,13 +21,13 @@ MOST_BIAS = 0.1
 """Standard deviations by which mesh or tolerance may move a number."""
 FIRST_TOLERANCE = 1e-4
 """With larger ones of the steps the squares jump by a tenth of what an interval's end adds."""
-MOST_EDGES = 16
+MOST_FIT_EDGES = 16
 """Largest number of edges of a section."""
-LEAST_TOLERANCE = 1e-7
+LEAST_FIT_TOLERANCE = 1e-7
 SPACE_ORDER = 2
 """By which errors fall with the mesh; those in time fall faster from one round to the next."""
 FINER_TOLERANCE = 10.0
-ROUNDS = 4
+MOST_REFINEMENTS = 4
 
 Models = Callable[[Solving], list[RunModel]]
 """Models of all recordings, solved so finely."""
@@ -62,9 +62,9 @@ def resolved(
     if search.stop.asked:
         first = solving.edges_per_section or 1, solving.tolerance or FIRST_TOLERANCE
         return found, ResolutionCheck(*first, math.inf, "", False)
-    for round_ in range(ROUNDS):
+    for round_ in range(MOST_REFINEMENTS):
         check = _checked(found, models, solving)
-        is_last = round_ == ROUNDS - 1 or not math.isfinite(check.bias)
+        is_last = round_ == MOST_REFINEMENTS - 1 or not math.isfinite(check.bias)
         if check.is_sufficient or is_last or search.stop.asked:
             break
         finer = _finer(check, solving)
@@ -99,5 +99,5 @@ def _finer(check: ResolutionCheck, solving: Solving) -> Solving:
     """What should do."""
     ratio = (check.bias / MOST_BIAS) ** (1 / SPACE_ORDER)
     edges = check.edges_per_section * 2 ** math.ceil(math.log2(ratio))
-    tolerance = max(check.tolerance / FINER_TOLERANCE, LEAST_TOLERANCE)
-    return Solving(min(edges, max(MOST_EDGES, solving.edges_per_section or 1)), tolerance)
+    tolerance = max(check.tolerance / FINER_TOLERANCE, LEAST_FIT_TOLERANCE)
+    return Solving(min(edges, max(MOST_FIT_EDGES, solving.edges_per_section or 1)), tolerance)

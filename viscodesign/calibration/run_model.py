@@ -23,10 +23,10 @@ from viscodesign.storage.lru_cache import LruCache
 
 TIMES_PER_ROW = 4
 """Output times between two rows where a clock is unknown, and channels lie between them."""
-MOST_TIMES = 4000
+MOST_MODEL_TIMES = 4000
 KEPT_SLOPES = 2
 """Latest derivatives that a model keeps."""
-SAME_TIME_REL = 1e-9
+SAME_ROW_TIME_REL = 1e-9
 """Difference of two times, in parts of the run, that is none."""
 
 
@@ -132,16 +132,18 @@ class RunModel:
         """Those of the rows, or evenly spaced ones that are close together."""
         rows = np.maximum(self._times, 0.0)
         if not self.clock_is_free:
-            apart = np.diff(rows, prepend=-1.0) > SAME_TIME_REL * rows[-1]
+            apart = np.diff(rows, prepend=-1.0) > SAME_ROW_TIME_REL * rows[-1]
             return np.asarray(rows[apart])
-        count = min(TIMES_PER_ROW * len(rows), MOST_TIMES)
+        count = min(TIMES_PER_ROW * len(rows), MOST_MODEL_TIMES)
         return np.linspace(0.0, rows[-1], count + 1)
 
     def _at_rows(self, every: np.ndarray, late: float) -> np.ndarray:
         """Columns at the rows (T, C, ...), from those at the output times (N, C, ...)."""
         times = self.function.times
         if not self.clock_is_free:
-            places = np.searchsorted(times, self._times + SAME_TIME_REL * times[-1], "right") - 1
+            places = (
+                np.searchsorted(times, self._times + SAME_ROW_TIME_REL * times[-1], "right") - 1
+            )
             return np.asarray(every[np.maximum(places, 0)])
         spline = _spline(times, every)
         on_time, delayed = spline(self._clipped(0.0)), spline(self._clipped(late))

@@ -7,7 +7,7 @@ import numpy as np
 from viscodesign.calibration.misfit import Misfit
 from viscodesign.lazy_dataclass import dataclass
 
-WIDEST = 10.0
+UNKNOWN_DEVIATION = 10.0
 """Standard deviation of a step that stands for infinite: e^10 is a ratio of 22,000."""
 
 
@@ -24,7 +24,7 @@ class Spread:
     pulls: int
     by_data: np.ndarray
     """(u, u) Covariance by the data alone; what they do not tell at all has a standard deviation of
-    `WIDEST`."""
+    `UNKNOWN_DEVIATION`."""
 
     @property
     def deviations(self) -> np.ndarray:
@@ -62,7 +62,7 @@ def spread_of(misfit: Misfit, values: np.ndarray) -> Spread:
 
 def covariance_of(jacobian: np.ndarray) -> np.ndarray:
     """(u, u) Covariance by derivatives (n, u) of residuals with unit variance."""
-    information = jacobian.T @ jacobian + np.eye(jacobian.shape[1]) / WIDEST**2
+    information = jacobian.T @ jacobian + np.eye(jacobian.shape[1]) / UNKNOWN_DEVIATION**2
     # Some numbers are known to 1e-5, others not at all: with a unit diagonal, all digits count.
     scale = 1 / np.sqrt(np.diag(information))
     inverse = np.linalg.inv(information * scale[:, None] * scale)

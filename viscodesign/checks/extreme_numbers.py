@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 from viscodesign.errors import Fault
 from viscodesign.scene.spec_part import SpecPart
 
-LARGEST = 1e50
+LARGEST_SI = 1e50
 """Largest number in SI units, and largest inverse of one that must be positive: the fifth power is
 within double precision. What may be zero may be as small as it likes."""
 
@@ -19,7 +19,7 @@ within double precision. What may be zero may be as small as it likes."""
 def extreme_numbers(part: SpecPart, path: str = "") -> Iterator[Fault]:
     """A fault for every number of a part of a spec that is too large, or too close to zero."""
     for name, value, field in part.keyed_fields():
-        yield from _below(value, f"{path}{name}", 1 / LARGEST if _is_positive(field) else 0.0)
+        yield from _below(value, f"{path}{name}", 1 / LARGEST_SI if _is_positive(field) else 0.0)
 
 
 def _is_positive(field: FieldInfo) -> bool:
@@ -46,10 +46,10 @@ def _beyond(value: Any, key: str, least: float) -> Iterator[Fault]:
     except (TypeError, ValueError):  # words, or rows of several lengths
         return
     sizes = np.abs(numbers)
-    outside = numbers[(sizes > LARGEST) | (sizes < least)]
+    outside = numbers[(sizes > LARGEST_SI) | (sizes < least)]
     if outside.size:
         found = float(outside[0])
-        bound = f"at most {LARGEST:g}" if abs(found) > LARGEST else f"at least {least:g}"
+        bound = f"at most {LARGEST_SI:g}" if abs(found) > LARGEST_SI else f"at least {least:g}"
         yield Fault(
             f"is {found:.3g} in SI units, outside the range of double precision for all that is "
             f"computed of it; must be {bound} in size. Check its unit and its exponent",

@@ -20,7 +20,7 @@ from viscodesign.scene.tables.columns import WantedColumn
 from viscodesign.scene.tables.layout import taken_apart
 from viscodesign.units import Length, Time
 
-MOST_ROWS = 5_000_000
+MOST_MEASURED_ROWS = 5_000_000
 _LENGTH = get_args(Length)[1]
 COLUMNS = (
     WantedColumn("time", get_args(Time)[1], ("t",)),
@@ -61,7 +61,12 @@ def _table_rows(file: Path) -> np.ndarray:
     """Rows (T, 3) of a table with time, x and z of the tip; NaN in gaps."""
     try:
         table = table_of_file(
-            {"file": str(file)}, Path(), COLUMNS, _time_faults, most_rows=MOST_ROWS, gaps=True
+            {"file": str(file)},
+            Path(),
+            COLUMNS,
+            _time_faults,
+            most_rows=MOST_MEASURED_ROWS,
+            gaps=True,
         )
     except PydanticCustomError as error:
         # What follows is for a spec, which can say where the columns are.

@@ -7,7 +7,7 @@ import numpy as np
 from viscodesign.comparison.interpolation import motion_curve
 from viscodesign.results.run_comparison import ComparedMotion, TimeShift
 
-POINTS = 400
+SHIFT_TIMES = 400
 """Times at which two motions are compared for one shift."""
 TRIED = 201
 """Shifts at equal distances, before the best of them is refined."""
@@ -31,7 +31,7 @@ def time_shift(first: ComparedMotion, other: ComparedMotion) -> TimeShift | None
         have [m]."""
         start = max(ends[0][0], ends[1][0] - shift)
         end = min(ends[0][1], ends[1][1] - shift)
-        at = np.linspace(start, end, POINTS)
+        at = np.linspace(start, end, SHIFT_TIMES)
         apart = curves[1](at + shift) - curves[0](at)
         return float(np.sqrt(np.mean(np.sum(apart**2, axis=1))))
 

@@ -18,7 +18,7 @@ COMPLETE = "complete"
 MOST_TOGETHER = 32
 """Rows that are solved side by side: more share what Python costs no further, and leave the
 processor's caches."""
-MOST_NUMBERS = 4_000_000
+MOST_VALUES_TOGETHER = 4_000_000
 """Unknowns at all output times of these rows."""
 Row = TypeVar("Row")
 
@@ -60,7 +60,7 @@ def in_parts(rows: Sequence[Row], numbers: int, workers: int | None) -> list[Seq
 
     ``numbers``: unknowns at all output times of a row.
     """
-    most = max(1, min(MOST_TOGETHER, MOST_NUMBERS // max(numbers, 1)))
+    most = max(1, min(MOST_TOGETHER, MOST_VALUES_TOGETHER // max(numbers, 1)))
     count = max(-(-len(rows) // most), min(workers or 1, len(rows)))
     ends = [k * len(rows) // count for k in range(count + 1)] if count else []
     return [rows[i:j] for i, j in itertools.pairwise(ends)]

@@ -12,7 +12,7 @@ from viscodesign.compiled.scene_numbers import ProblemNumbers
 from viscodesign.compiled.start import StartFunction
 from viscodesign.compiled.stretches import (
     CONSISTENT,
-    MAX_CORRECTIONS,
+    MAX_STAGE_CORRECTIONS,
     ROUND_OFF_CORRECTION,
     edges_of,
     outputs_between,
@@ -158,7 +158,7 @@ class SideBySide:
         Y = np.concatenate([y, drives, times[:, None], pieces, one], axis=1)
         is_found, before = np.zeros(len(Y), dtype=bool), np.full(len(Y), np.inf)
         still = np.arange(len(Y))
-        for _ in range(MAX_CORRECTIONS):
+        for _ in range(MAX_STAGE_CORRECTIONS):
             if not len(still):
                 break
             J, residual = sums_of_rows(assembly, rows.of_assembly[still], Y[still])

@@ -23,9 +23,9 @@ from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Start, rest, static_equilibrium
 
 SX = ca.SX
-CONVERGED = 1e-12
+EQUILIBRIUM_TOL = 1e-12
 """Correction of an equilibrium, in sizes of its unknowns, at which it counts as found."""
-MAX_CORRECTIONS = 8
+MAX_UNDAMPED_CORRECTIONS = 8
 """Undamped ones, before the loads are raised step by step instead."""
 
 
@@ -118,13 +118,13 @@ class StartFunction:
         is_found, still = np.zeros(len(y), dtype=bool), np.arange(len(y))
         if any(b.traits.is_multivalued for b in self._statics.blocks.values()):
             return y, is_found
-        for _ in range(MAX_CORRECTIONS):
+        for _ in range(MAX_UNDAMPED_CORRECTIONS):
             rows = [y[still], pieces[still], parameters[still]]
             step = solve_each(self._own.jacobians(rows), self._own.residual(*rows))
             y[still] -= step
             sizes = np.max(np.abs(step), axis=1, initial=0.0)
-            is_found[still[sizes <= CONVERGED]] = True
-            still = still[(sizes > CONVERGED) & (sizes < np.inf)]
+            is_found[still[sizes <= EQUILIBRIUM_TOL]] = True
+            still = still[(sizes > EQUILIBRIUM_TOL) & (sizes < np.inf)]
             if not len(still):
                 break
         found = np.flatnonzero(is_found)

@@ -23,7 +23,7 @@ CONSISTENT = 1e-12
 """Correction of algebraic unknowns, in their sizes, at which they count as solved."""
 ROUND_OFF_CORRECTION = 1e-8
 """Correction that is round-off of stiff equations if it no longer gets smaller."""
-MAX_CORRECTIONS = 12
+MAX_STAGE_CORRECTIONS = 12
 MOST_WITH_STAGES = 500
 """Unknowns up to which the stages of all steps are recorded: 36 kB a step."""
 
@@ -154,7 +154,7 @@ class Stretches:
             here = consistent(problem, here, time, piece, before)
         own, rest = self._compiled.differentiable, np.append(piece, 1.0)
         y, before_size = steps.unknowns_at(here, time, piece), np.inf
-        for _ in range(MAX_CORRECTIONS):
+        for _ in range(MAX_STAGE_CORRECTIONS):
             try:
                 begin = Consistency(own, steps.assembly, y, time, rest)
                 correction = begin.correction()

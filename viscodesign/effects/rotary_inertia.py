@@ -16,7 +16,7 @@ from viscodesign.model.system import System
 
 MODE_SLOPE = 4.648
 """Integral of the first mode's squared slope over that of the mode squared, times l^2."""
-UNDAMPED_MODES = 10.0
+UNDAMPED_TURNING = 10.0
 """Factor on the effect of turning where nothing damps the higher modes: it shifts the phase of the
 second 43 times as fast as that of the first, which has up to four times its amplitude."""
 
@@ -56,7 +56,7 @@ class RotaryInertia(Effect):
 
     def modal_mass(self, length: float, is_damped: bool) -> float:
         """Mass that turning adds to the first bending mode, relative [1]; ``length`` [m]."""
-        slope = MODE_SLOPE * (1.0 if is_damped else UNDAMPED_MODES)
+        slope = MODE_SLOPE * (1.0 if is_damped else UNDAMPED_TURNING)
         return slope * (self.gyration / length) ** 2
 
     def estimate_term(self) -> EstimateTerm:

@@ -26,7 +26,7 @@ kappa G A l^2/EI. By Dunkerley, that mode takes so much longer, squared."""
 UNSHEARABLE = 300.0
 """Shear stiffness over what the accuracy asks for under a load of EI/l^2: a stiffer rod only makes
 its equations harder to solve. Under ten times that load a thirtieth of the accuracy is lost."""
-UNDAMPED_MODES = 10.0
+UNDAMPED_SHEAR = 10.0
 """Factor on it where nothing damps the higher modes, which shear slows more than the first."""
 
 
@@ -111,7 +111,7 @@ class Shear(Effect):
 
     def modal_mass(self, length: float, is_damped: bool) -> float:
         """Mass that would slow the first bending mode as shear does, relative [1]."""
-        share = FIRST_MODE * (1.0 if is_damped else UNDAMPED_MODES)
+        share = FIRST_MODE * (1.0 if is_damped else UNDAMPED_SHEAR)
         return share * self._softness(length)
 
     def estimate_term(self) -> EstimateTerm:

@@ -18,10 +18,10 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.lru_cache import LruCache
 
-WIDEST = 0.43
+WIDEST_BAND = 0.43
 """Half-width, in parts of the length, up to which bands were found to hold
 (`benchmarks/results/uncertainty_coverage.md`)."""
-TOLERANCE = 1e-3
+BAND_STEP_TOLERANCE = 1e-3
 """Of the steps: bands by it are within a percent of those by far smaller ones."""
 Stated = dict[str, StatedDeviation]
 Slopes = tuple[np.ndarray, tuple[tuple[str, float, str], ...], LeftOut]
@@ -72,12 +72,12 @@ def _unmoved(error: SpecError, stated: Stated) -> LeftOut:
 
 def width_notices(band: CoefficientBand, run: Trajectory) -> tuple[Notice, ...]:
     """A warning of a band that is wider than such bands were found to hold."""
-    if band.half_width_m <= WIDEST * run.length:
+    if band.half_width_m <= WIDEST_BAND * run.length:
         return ()
     message = (
         f"the band of the coefficients is +-{band.half_width_m:.3g} m wide, "
         f"{100 * band.half_width_m / run.length:.0f} % of the length: it is of the first order, "
-        f"and was found to hold up to {100 * WIDEST:.0f} %; most is by {band.numbers[0].key}: "
+        f"and was found to hold up to {100 * WIDEST_BAND:.0f} %; most is by {band.numbers[0].key}: "
         "measure it, or state less"
     )
     return (Notice("wide_band", message, f"uncertainty.{band.numbers[0].key}"),)
@@ -90,7 +90,12 @@ def _slopes(scene: Scene, run: Trajectory, stated: Stated) -> Slopes:
     def solved() -> Slopes:
         keys = list(stated)
         function, left_out = differentiable(
-            scene, keys, TIP_COLUMNS, by_percent=False, tolerance=TOLERANCE, effects=effects
+            scene,
+            keys,
+            TIP_COLUMNS,
+            by_percent=False,
+            tolerance=BAND_STEP_TOLERANCE,
+            effects=effects,
         )
         used, slopes = function.is_used, function.jacobian()
         units = zip(function.names, map(float, function.values), function.units, strict=True)

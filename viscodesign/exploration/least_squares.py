@@ -18,7 +18,7 @@ LOG_FROM = 3.0
 """Ratio of two positive bounds from which a number is scaled by its logarithm."""
 AT_BOUND = 1e-4
 """Distance from a bound, in parts of the range, at which a number counts as at it."""
-CONVERGED = 1e-9
+DESCENT_REL_TOL = 1e-9
 """Relative change of the sum of squares, and step in parts of the ranges, that ends a descent."""
 SAME_COST = 1.02
 """Ratio of two sums of squares up to which they count as the same optimum."""
@@ -118,7 +118,7 @@ class SearchLimits:
     """Descents that end as low as the best of them, after which no other start is tried."""
     evaluations: int = MAX_EVALUATIONS
     """Limit of each descent."""
-    converged: float = CONVERGED
+    converged: float = DESCENT_REL_TOL
     """See there."""
     until: float = math.inf
     """Time of `time.perf_counter` [s]."""

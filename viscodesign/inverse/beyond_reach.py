@@ -11,7 +11,7 @@ from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.scene.far_places import far_words
 from viscodesign.scene.scene import Scene
 
-SLACK = 0.02
+ADDED_STRETCH = 0.02
 """Part of the length that loads and feedback may add to the rod's own stretch."""
 
 
@@ -45,7 +45,7 @@ def beyond_reach(
     longest = ArcRod.of(SceneQuantities(scene)).longest(level, scene.bellows.count)
     far = np.linalg.norm(wanted.points, axis=1)
     beyond = float(far.max()) - longest
-    if beyond <= max(tolerance, SLACK * length):
+    if beyond <= max(tolerance, ADDED_STRETCH * length):
         return None
     x, z = np.round(1e3 * wanted.points[int(far.argmax())], 6) + 0.0
     return (

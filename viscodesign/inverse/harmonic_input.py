@@ -20,7 +20,7 @@ EXAMPLE = "{harmonics: 6, period: [5 s, 400 s], limits: [-25 kPa, 30 kPa]}"
 AMPLITUDE_SHARE = 0.65
 """Largest amplitude of one harmonic over the range of pressures: a square wave's first has 0.64."""
 FIRST_SHARE = 0.35
-SAMPLES = 96
+LIMIT_SAMPLES = 96
 """Points of a period at which limits are kept during a search."""
 MARGIN_SHARE = 0.002
 """A search stays away from the limits by this part of the range of pressures."""
@@ -139,22 +139,26 @@ class InputLimits:
         self._cosine = [place[f"input.cosine[{k}]"] for k in orders]
         self._sine = [place[f"input.sine[{k}]"] for k in orders]
         self._period = place.get("input.period")
-        turns = 2 * math.pi * np.outer(np.arange(SAMPLES) / SAMPLES, np.arange(1, choice.count + 1))
-        self._levels = np.zeros((SAMPLES, len(names)))
+        turns = (
+            2
+            * math.pi
+            * np.outer(np.arange(LIMIT_SAMPLES) / LIMIT_SAMPLES, np.arange(1, choice.count + 1))
+        )
+        self._levels = np.zeros((LIMIT_SAMPLES, len(names)))
         self._levels[:, self._mean] = 1.0
         self._levels[:, self._cosine], self._levels[:, self._sine] = np.cos(turns), np.sin(turns)
         orders_row = 2 * math.pi * np.arange(1, choice.count + 1)
         self._rates = np.zeros_like(self._levels)
         self._rates[:, self._cosine] = -orders_row * np.sin(turns)
         self._rates[:, self._sine] = orders_row * np.cos(turns)
-        self._weight = STIFFNESS * tolerance / choice.span / math.sqrt(SAMPLES)
+        self._weight = STIFFNESS * tolerance / choice.span / math.sqrt(LIMIT_SAMPLES)
 
     def __call__(self, values: np.ndarray) -> np.ndarray:
-        """(3 SAMPLES,) [m]"""
+        """(3 LIMIT_SAMPLES,) [m]"""
         return self._weight * self._excess(values)[0]
 
     def jacobian(self, values: np.ndarray) -> np.ndarray:
-        """(3 SAMPLES, f)"""
+        """(3 LIMIT_SAMPLES, f)"""
         return self._weight * self._excess(values)[1]
 
     def _excess(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -162,7 +166,7 @@ class InputLimits:
         margin = MARGIN_SHARE * self._choice.span
         level = self._levels @ values
         above, below = level - (high - margin), (low + margin) - level
-        rate, by_rate = np.zeros(SAMPLES), np.zeros_like(self._levels)
+        rate, by_rate = np.zeros(LIMIT_SAMPLES), np.zeros_like(self._levels)
         if self._choice.rate_limit is not None:
             period = self._period_of(values)
             limit = self._choice.rate_limit * period * (1 - MARGIN_SHARE)

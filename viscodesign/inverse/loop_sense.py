@@ -26,11 +26,11 @@ from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 
-DRAWS, FREQUENCIES, WIDEST = 24, 7, 300.0
+DRAWS, FREQUENCIES, PERIOD_REACH = 24, 7, 300.0
 """Draws of lengths, periods of each, and how far these reach where none is free."""
 ROUND = 0.2
 """Area of a loop, over that of a circle of its length, from which it has a sense."""
-SMALL_SHARE = 1e-4
+LINEAR_AMPLITUDE = 1e-4
 """Amplitude of the harmonic, in parts of the limits: a linear motion."""
 SLOW = 2.0
 """Shortest period, over that in which the rod swings by itself, at which it follows without."""
@@ -113,12 +113,12 @@ def _common_sense(areas: np.ndarray) -> int:
 def _areas(choice: FreeChoice, scene: Scene, graph: TreeGraph) -> Iterator[float]:
     """Signed areas of loops by one small harmonic, with lengths and periods by chance."""
     period = float(scene.period or scene.run.duration)
-    low, high = (period / WIDEST, period * WIDEST)
+    low, high = (period / PERIOD_REACH, period * PERIOD_REACH)
     count = 1
     if choice.harmonics is not None:
         low, high = choice.harmonics.period
         count = choice.harmonics.count
-    size = SMALL_SHARE * (choice.harmonics.span if choice.harmonics is not None else 1e4)
+    size = LINEAR_AMPLITUDE * (choice.harmonics.span if choice.harmonics is not None else 1e4)
     drive = {"kind": "harmonics", "period": period, "cosine": [size]}
     probe = scene.replace({"input": drive})
     lengths = [own for own in choice.ranges if own.key.startswith("network.")]

@@ -24,7 +24,7 @@ BETWEEN, NEAR = 12, 0.1
 """Points between two of an edge, and the longest move of one, in parts of the edge's size."""
 PAST_STEPS, PAST_TIMES, FIRST_TIME = 600, 14.0, 1e-3
 """Steps of the past, its length in slowest time constants, and its first step in fastest ones."""
-SAMPLES, FINE_SAMPLES = 16, 128
+COARSE_SAMPLES, FINE_SAMPLES = 16, 128
 """Points of the shortest period at which a linear program keeps the limits, and its answer is
 looked at."""
 PERIODS = 6
@@ -92,7 +92,7 @@ class HarmonicExtremes:
         rate, _ = bellows.modes()
         periods = 2 * math.pi * np.geomspace(0.5 / rate[-1], 4.0 / rate[0], PERIODS)
         self._gains = [self._gain(bellows, period) for period in periods]
-        self._levels = self._levels_at(SAMPLES * count)
+        self._levels = self._levels_at(COARSE_SAMPLES * count)
         self._fine = self._levels_at(FINE_SAMPLES * count)
 
     def _levels_at(self, samples: int) -> np.ndarray:

@@ -24,7 +24,7 @@ from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
 
-TOLERANCE = 0.2e-3
+REACHED_DISTANCE = 0.2e-3
 """Distance at which a point counts as reached [m]."""
 LEFT = (0.95, 0.72, 0.52, 0.36, 0.24, 0.15, 0.08, 0.035, 0.0)
 """Times of the free rows of the input before the end, in parts of the run: what lies far from the
@@ -73,14 +73,14 @@ def reach_point(
             }
         ),
         wanted,
-        TOLERANCE,
+        REACHED_DISTANCE,
     )
     ranges = tuple(FreeRange(f"input.rows[{k}].pressure", *limits) for k in range(1, KNOTS + 1))
     log = SearchLog(began)
     task = SearchTask(
         wanted,
         FreeChoice(ranges),
-        TOLERANCE,
+        REACHED_DISTANCE,
         began + BUDGET_S,
         BUDGET_S,
         stop,
@@ -95,7 +95,7 @@ def reach_point(
         (math.nan, math.nan),
         found.distance.rms_m,
         None,
-        TOLERANCE,
+        REACHED_DISTANCE,
         np.zeros((0, 2)),
         times,
         np.append(begins, found.values),
@@ -115,13 +115,13 @@ def _verified(
 ) -> ReachedPoint:
     """A found point by a run with the effects that it calls for."""
     times, begins = point.times, float(point.pressures[0])
-    run = confirm(task.wanted, found.scene, TOLERANCE)
-    if run.distance.rms_m > TOLERANCE >= found.distance.rms_m:
+    run = confirm(task.wanted, found.scene, REACHED_DISTANCE)
+    if run.distance.rms_m > REACHED_DISTANCE >= found.distance.rms_m:
         # The run has more effects than the search had: go on with them.
         pinned = posed.replace({"effects": _pinned(posed, run.effects, "auto")})
         again = search_numbers(task, pinned, start=found.values, several_starts=False)[0]
         changed = found.scene.replace(dict(_rows(again.values, times, begins)))
-        better = confirm(task.wanted, changed, TOLERANCE)
+        better = confirm(task.wanted, changed, REACHED_DISTANCE)
         if better.distance.rms_m < run.distance.rms_m:
             found, run = again, better
     final = _with_path(posed, found.values, times, begins)

@@ -6,7 +6,7 @@ import time as clock
 from collections.abc import Callable
 from dataclasses import field
 
-from viscodesign.exploration.least_squares import CONVERGED
+from viscodesign.exploration.least_squares import DESCENT_REL_TOL
 from viscodesign.interrupt import StopRequest
 from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.wanted_path import WantedPath
@@ -26,12 +26,12 @@ class DescentPlan:
     most_draws: int = 48
     descents: int = 6
     """From the best of the draws."""
-    converged: float = CONVERGED
+    converged: float = DESCENT_REL_TOL
     """As in `SearchLimits`."""
     exact_share: float = 0.01
     """Part of the tolerance at which nothing better is sought, where times count: solutions are no
     more accurate."""
-    drawn_converged: float = CONVERGED
+    drawn_converged: float = DESCENT_REL_TOL
     """The same for draws; the best goes on to the former."""
 
     def draws(self, numbers: int) -> int:

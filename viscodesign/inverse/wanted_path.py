@@ -23,7 +23,7 @@ TIME = WantedColumn("time", get_args(Time)[1], ("t",))
 LENGTH = get_args(Length)[1]
 CLOSED_SHARE = 0.02
 """A distance between a path's ends below this part of its length closes it."""
-MOST_ROWS = 50_000
+MOST_WANTED_ROWS = 50_000
 SPACED_POINTS = 96
 """Points of a path whose timing is free."""
 MOST_LINE = 480
@@ -110,7 +110,7 @@ def _values(spec: PathSpec, folder: Path) -> np.ndarray:
     def check(first: np.ndarray) -> Iterator[tuple[int, str]]:
         return _time_faults(first) if has_time else iter(())
 
-    found = table_of_file(given, folder, columns, check, most_rows=MOST_ROWS).values
+    found = table_of_file(given, folder, columns, check, most_rows=MOST_WANTED_ROWS).values
     blank = np.full((len(found), 0 if has_time else 1), np.nan)
     return np.concatenate([blank, found], axis=1)
 

@@ -8,13 +8,13 @@ import numpy as np
 
 from viscodesign.native.tables import Assembly
 
-MAX_DENSE = 150
+MAX_DENSE_ALGEBRAIC = 150
 """Algebraic unknowns up to which full matrices are the faster ones."""
-CONVERGED = 1e-9
+ALGEBRAIC_TOL = 1e-9
 """Correction of algebraic unknowns, in their sizes, after which they count as solved: what it
 leaves is its square, times how strongly the equations are curved.
 """
-ROUND_OFF = 1e-8
+STIFF_ROUND_OFF = 1e-8
 """Correction that is round-off of stiff equations if it no longer gets smaller."""
 LARGEST_LEFT = 0.75
 """Part of a correction that the next one may be, or it did not lead nearer."""
@@ -43,7 +43,7 @@ class AlgebraicPart:
         values = J[self._kept]
         if not np.all(np.isfinite(values)):
             raise ZeroDivisionError("algebraic equations are not finite")
-        if self._count > MAX_DENSE:
+        if self._count > MAX_DENSE_ALGEBRAIC:
             return _sparse_solver(self._rows, self._columns, values, self._count)
         matrix = np.zeros((self._count, self._count))
         matrix[self._rows, self._columns] = values
@@ -62,7 +62,7 @@ class AlgebraicPart:
         NaN where the equations are singular.
         """
         found, right = np.zeros(residual.shape), -residual[:, self.is_algebraic]
-        if self._count > MAX_DENSE:
+        if self._count > MAX_DENSE_ALGEBRAIC:
             for k, entries in enumerate(J):
                 try:
                     found[k, self.is_algebraic] = self.solver(entries)(right[k], transposed=False)
@@ -87,12 +87,12 @@ class AlgebraicPart:
             except ZeroDivisionError:
                 return None
             size = float(np.max(np.abs(step), initial=0.0))
-            is_round_off = size <= ROUND_OFF and size > LARGEST_LEFT * before
+            is_round_off = size <= STIFF_ROUND_OFF and size > LARGEST_LEFT * before
             if not (size <= LARGEST_LEFT * before or is_round_off):
                 return None
             if not is_round_off:
                 Y[: assembly.unknowns][self.is_algebraic] -= step
-            if size <= CONVERGED or is_round_off:
+            if size <= ALGEBRAIC_TOL or is_round_off:
                 return Y[: assembly.unknowns]
             before = size
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.native.algebraic_part import CONVERGED, LARGEST_LEFT, MAX_CORRECTIONS
+from viscodesign.native.algebraic_part import ALGEBRAIC_TOL, LARGEST_LEFT, MAX_CORRECTIONS
 from viscodesign.native.march import work_size
 from viscodesign.native.sparse_lu import SparseLU
 from viscodesign.native.tables import Assembly
@@ -60,7 +60,7 @@ def follow_equilibria(
         *(lu.entries_of(assembly.pos), assembly.all_numbers),
         *(lu.blocks, lu.own, lu.slots, lu.lu_start, lu.lu_columns, lu.diagonal),
         *(mass, len(times), np.ascontiguousarray(times, dtype=float), span.start, span.stop),
-        np.array([CONVERGED, LARGEST_LEFT, MAX_CORRECTIONS, most_ahead, near], dtype=float),
+        np.array([ALGEBRAIC_TOL, LARGEST_LEFT, MAX_CORRECTIONS, most_ahead, near], dtype=float),
         *(before, now, clock, Y, outputs.reshape(-1), np.empty(work_size(assembly, lu))),
     )
     state.before, state.now = before, now

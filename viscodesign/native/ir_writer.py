@@ -25,7 +25,7 @@ from viscodesign.native.ir_operations import (
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.native.vector_math import NONE, VectorMath
 
-BLOCK = 300
+INSTRUCTIONS_PER_BLOCK = 300
 """Instructions in a block; LLVM takes ever longer over longer ones."""
 _NAMES = {value: name[3:] for name, value in vars(ca).items() if name.startswith("OP_")}
 
@@ -182,7 +182,7 @@ class _Writer:
 
     def line(self, text: str) -> None:
         self.lines.append(text)
-        if len(self.lines) >= BLOCK * (self._blocks + 1):
+        if len(self.lines) >= INSTRUCTIONS_PER_BLOCK * (self._blocks + 1):
             self._blocks += 1
             self.lines += [f"br label %block{self._blocks}", f"block{self._blocks}:"]
 

@@ -17,7 +17,7 @@ from viscodesign.storage.lru_cache import ONE_AT_A_TIME
 
 LANES = 8
 """Elements that a kernel treats at once, unless told otherwise."""
-OPTIMISE, GENERATE = 0, 0
+KERNEL_PASSES, KERNEL_GENERATION = 0, 0
 """Levels of passes and of code generation.
 
 Formulas have few subexpressions to share. One level more of code generation takes five times as
@@ -113,12 +113,13 @@ def _compiled(wanted: Wanted, names: Sequence[str]) -> bytes:
     """What is kept of them."""
     told = wanted.tell()
     ir = module_ir(wanted.make(), names, wanted.lanes, this_machine().vector_math)
-    code = object_code(ir, optimise=OPTIMISE, generate=GENERATE)
+    code = object_code(ir, optimise=KERNEL_PASSES, generate=KERNEL_GENERATION)
     return len(told).to_bytes(HEAD, "little") + told + code
 
 
 def _setting(lanes: int) -> tuple[str, ...]:
     """What code depends on besides its formulas."""
-    settings = f"{lanes} lanes, levels {OPTIMISE} {GENERATE}, casadi {ca.CasadiMeta.version()}"
+    levels = f"levels {KERNEL_PASSES} {KERNEL_GENERATION}"
+    settings = f"{lanes} lanes, {levels}, casadi {ca.CasadiMeta.version()}"
     writer = written_by(instructions, ir_operations, ir_writer)
     return __version__, writer, str(this_machine()), settings

@@ -59,7 +59,7 @@ SOURCES = (
     equilibria,
 )
 IR_FILE = Path(__file__).parent / "loops.ll"
-OPTIMISE, GENERATE = 3, 3
+LOOP_PASSES, LOOP_GENERATION = 3, 3
 """Levels of passes and of code generation."""
 
 _KERNELS = ("counts", "counts")
@@ -138,9 +138,11 @@ class NativeLoops(Loops):
 
     def __init__(self) -> None:
         ir = IR_FILE.read_text(encoding="utf-8")
-        settings = f"loops, levels {OPTIMISE} {GENERATE}, not unrolled"
+        settings = f"loops, levels {LOOP_PASSES} {LOOP_GENERATION}, not unrolled"
         parts = (settings, __version__, str(this_machine()), ir)
-        code = cached(parts, lambda: object_code(ir, optimise=OPTIMISE, generate=GENERATE))
+        code = cached(
+            parts, lambda: object_code(ir, optimise=LOOP_PASSES, generate=LOOP_GENERATION)
+        )
         self._loaded = load([code], list(SIGNATURES))
         self._calls = {name: self._foreign(name) for name in SIGNATURES}
 

@@ -15,7 +15,7 @@ from viscodesign.postprocess.spline_rates import spline_rates
 from viscodesign.solve.algebraic_polish import polish
 from viscodesign.solve.problem import Problem, evaluate_along, section_strains
 from viscodesign.solve.transient import Solution
-from viscodesign.storage.disk_arrays import BLOCK, release_pages
+from viscodesign.storage.disk_arrays import DISK_ROWS, release_pages
 
 SHAPE_POINTS = 64
 """Points of an axis, at least."""
@@ -111,7 +111,7 @@ def read_outputs(
 ) -> Iterator[Outputs]:
     """The outputs of a solution, in blocks of up to ``at_once`` edges."""
     width = sum(problem.equations.outputs_by_tape.sizes)
-    most = at_once or int(np.clip(BLOCK_NUMBERS // max(width, 1), BLOCK // 8, BLOCK))
+    most = at_once or int(np.clip(BLOCK_NUMBERS // max(width, 1), DISK_ROWS // 8, DISK_ROWS))
     for begin in range(0, solution.reached, most):
         end = min(begin + most, solution.reached)
         yield _read(problem, solution, begin, end)

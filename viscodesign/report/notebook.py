@@ -17,9 +17,9 @@ Rows = Iterable[tuple[str, str]]
 """What something is, and its value, in words."""
 MOST_SHOWN = 200
 """Characters of a key's value: a table of measured rows is not listed."""
-MOST_POINTS = 400
+MOST_PATH_POINTS = 400
 """Points of a path that is drawn."""
-SIDE = 180
+THUMBNAIL_SIDE = 180
 """Longer side of the picture [px]."""
 
 
@@ -39,13 +39,13 @@ def tip_svg(trajectory: Trajectory) -> str:
 
     Drawn in the colour of the text around it, so that it is seen on a light and a dark page.
     """
-    points = trajectory.tip[:: max(1, len(trajectory.tip) // MOST_POINTS), :2]
+    points = trajectory.tip[:: max(1, len(trajectory.tip) // MOST_PATH_POINTS), :2]
     if not len(points):
         return ""
     low, high = points.min(axis=0), points.max(axis=0)
     extent = max(float(np.max(high - low)), 1e-9 * trajectory.length)
-    placed = (points - low) / extent * SIDE + 8.0
-    width, height = (high - low) / extent * SIDE + 16.0
+    placed = (points - low) / extent * THUMBNAIL_SIDE + 8.0
+    width, height = (high - low) / extent * THUMBNAIL_SIDE + 16.0
     path = " ".join(f"{x:.1f},{z:.1f}" for x, z in placed)
     x, z = placed[0]
     return (

@@ -31,7 +31,7 @@ from viscodesign.results.channels import shape_columns, trajectory_columns
 from viscodesign.results.coefficient_band import BAND_COLUMNS, CoefficientBand
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.atomic_files import write_all, write_bytes
-from viscodesign.storage.disk_arrays import BLOCK, blocks
+from viscodesign.storage.disk_arrays import DISK_ROWS, blocks
 
 
 @dataclass(frozen=True)
@@ -159,5 +159,5 @@ def shape_lines(trajectory: Trajectory) -> Iterator[bytes]:
     """`shape.csv`, block by block."""
     names, _ = shape_columns(trajectory, slice(0))
     yield csv_table(names, [])
-    for rows in blocks(len(trajectory.shape), trajectory.shape, rows=BLOCK // 32):
+    for rows in blocks(len(trajectory.shape), trajectory.shape, rows=DISK_ROWS // 32):
         yield csv_rows(shape_columns(trajectory, rows)[1])

@@ -9,7 +9,7 @@ from viscodesign.storage.cached_property import cached_property
 
 NODE_SHARE = 1e-9
 """Distance from an output time, of the interval, at which a time counts as that output time."""
-PERIOD_REL_TOL = 1e-9
+WHOLE_PERIOD_REL_TOL = 1e-9
 """Part of a period that a run may lack and still contain it."""
 
 
@@ -28,7 +28,7 @@ class LoopPart:
     def of(cls, time: np.ndarray, period: float | None) -> LoopPart:
         """That of a run with output times (T,), T > 0, and this period [s], if it has one."""
         first, last = float(time[0]), float(time[-1])
-        if period is None or last - period < first - PERIOD_REL_TOL * period or last == first:
+        if period is None or last - period < first - WHOLE_PERIOD_REL_TOL * period or last == first:
             return cls(time, first, False)
         return cls(time, max(last - period, first), True)
 

@@ -15,11 +15,11 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.gait_energy import GaitEnergy
 from viscodesign.robot.leg_design import LegDesign
 from viscodesign.robot.leg_network import barrel_volume, flow, specific_work
-from viscodesign.robot.leg_rod import POINTS
+from viscodesign.robot.leg_rod import STRAIN_POINTS
 from viscodesign.robot.robot_model import LegGroup, RobotModel
 from viscodesign.robot.time_step import Step
 
-BLOCK = 100
+STEPS_AT_ONCE = 100
 """Steps that are balanced at once."""
 WORKS = ("pump", "coupling", "friction")
 LOSSES = ("tubes", "material", "impacts", "steps")
@@ -40,7 +40,7 @@ class GaitEnergyLedger:
     def add(self, step: Step) -> None:
         """Add the step that follows those before."""
         self._steps.append(step)
-        if len(self._steps) == BLOCK:
+        if len(self._steps) == STEPS_AT_ONCE:
             self._close()
 
     def balance(self, cycle_begin: float) -> GaitEnergy:
@@ -150,7 +150,7 @@ class _Rod:
     """Strains of the rods of legs; the second axis from the end: curvature, stretch."""
 
     strains: np.ndarray
-    """(n, l, 2, sections, POINTS)"""
+    """(n, l, 2, sections, STRAIN_POINTS)"""
     elastic: np.ndarray
     """Those beyond what pressure does."""
     resultants: np.ndarray
@@ -159,7 +159,7 @@ class _Rod:
     @classmethod
     def of(cls, design: LegDesign, strains: np.ndarray, bellows: np.ndarray) -> _Rod:
         sections = len(design.free_sections)
-        whole = strains.reshape(*strains.shape[:2], 2, sections, POINTS)
+        whole = strains.reshape(*strains.shape[:2], 2, sections, STRAIN_POINTS)
         placed = np.zeros((len(design.sections), sections))
         placed[np.arange(len(placed)), list(design.sections)] = 1.0
         law, free = design.bellow, np.array(design.free_sections, dtype=float)

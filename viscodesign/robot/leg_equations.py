@@ -26,7 +26,7 @@ from viscodesign.robot.leg_pose import (
     points_of_leg,
     tip_seen_from_leg,
 )
-from viscodesign.robot.leg_rod import POINTS, RodLoad, RodSection, RodShooting, ShotRod
+from viscodesign.robot.leg_rod import STRAIN_POINTS, RodLoad, RodSection, RodShooting, ShotRod
 from viscodesign.storage.cached_property import cached_property
 
 SX = ca.SX
@@ -60,7 +60,7 @@ class LegSymbols:
             "load": LOAD,
             "pressures": nodes,
             "mount": MOUNT,
-            "strains_before": 2 * POINTS * sections,
+            "strains_before": 2 * STRAIN_POINTS * sections,
             "contents_before": nodes,
             "source": 1,
             "step": 2,
@@ -123,13 +123,13 @@ class LegEquations:
 def shot_rod(design: LegDesign, load: SX, pressures: SX, before: SX, rate: SX) -> ShotRod:
     """The rod at the pressures of its bellows; ``before``: strains a step before."""
     free, law = design.free_sections, design.bellow
-    half = POINTS * len(free)
+    half = STRAIN_POINTS * len(free)
     sections = [
         RodSection(
             law.curvature_per_pressure * difference,
             law.stretch_per_pressure * total,
-            before[POINTS * j : POINTS * (j + 1)],
-            before[half + POINTS * j : half + POINTS * (j + 1)],
+            before[STRAIN_POINTS * j : STRAIN_POINTS * (j + 1)],
+            before[half + STRAIN_POINTS * j : half + STRAIN_POINTS * (j + 1)],
             free[j],
         )
         for j, (difference, total) in enumerate(section_pressures(design, ca.vertsplit(pressures)))

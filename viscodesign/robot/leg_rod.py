@@ -17,7 +17,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.robot.leg_design import LegDesign
 
 SX = ca.SX
-POINTS = 3
+STRAIN_POINTS = 3
 """Points of a section at which strains are kept: its ends and its middle."""
 
 
@@ -37,9 +37,9 @@ class RodSection:
     curvature: SX
     stretch: SX
     curvature_before: SX
-    """(POINTS,) [1/m]"""
+    """(STRAIN_POINTS,) [1/m]"""
     stretch_before: SX
-    """(POINTS,) beyond 1"""
+    """(STRAIN_POINTS,) beyond 1"""
     is_free: bool
 
 
@@ -54,7 +54,7 @@ class ShotRod:
     moments: list[SX]
     """Mean moment of each section [N m]."""
     curvatures: list[SX]
-    """At the points of all sections, (POINTS,) each [1/m]."""
+    """At the points of all sections, (STRAIN_POINTS,) each [1/m]."""
     stretches: list[SX]
     """Likewise, beyond 1."""
     nodes: list[SX]

@@ -13,7 +13,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.robot.leg_equations import LOAD, LegFunctions, matrices
 from viscodesign.robot.leg_pose import BODY, FOOT
-from viscodesign.robot.leg_rod import POINTS
+from viscodesign.robot.leg_rod import STRAIN_POINTS
 from viscodesign.storage.cached_property import cached_property
 
 
@@ -67,7 +67,7 @@ class LegGroup:
     @property
     def strain_numbers(self) -> int:
         """Numbers of a leg that its damping remembers."""
-        return 2 * POINTS * len(self.functions.design.free_sections)
+        return 2 * STRAIN_POINTS * len(self.functions.design.free_sections)
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,10 +26,10 @@ from viscodesign.robot.robot_model import (
 )
 from viscodesign.robot.time_step import RobotState
 
-MAX_ITERATIONS = 40
-PLACE_TOLERANCE = 1e-10
+MAX_STANCE_ITERATIONS = 40
+STANCE_TOLERANCE = 1e-10
 """Last Newton step [m, rad]."""
-LARGEST_STEP = 2e-2
+LARGEST_STANCE_MOVE = 2e-2
 """Largest move in one iteration, rotations by the length of a leg [m]: the weight bends legs far
 before it is balanced."""
 PROXIMAL_STIFFNESS = 1.0
@@ -125,16 +125,16 @@ class _StanceSolver:
         self.lengths[[2, 3, *range(BODY + 2, model.size, FOOT)]] = _leg_length(model)
 
     def solve(self) -> Stance:
-        for _ in range(MAX_ITERATIONS):
+        for _ in range(MAX_STANCE_ITERATIONS):
             around = self._around()
             force, stiffness = self.model.assembled(around)
             change, forces = self._change(force, stiffness)
             if self._sway_stiffness(stiffness) < 0.0:
                 raise self._none()  # it gives way long before the balance is found
-            if np.max(np.abs(change)) < PLACE_TOLERANCE:
+            if np.max(np.abs(change)) < STANCE_TOLERANCE:
                 return self._found(stiffness, forces)
             largest = float(np.max(np.abs(change) * self.lengths))
-            self._move(around, change * min(1.0, LARGEST_STEP / largest))
+            self._move(around, change * min(1.0, LARGEST_STANCE_MOVE / largest))
         raise self._none()
 
     def _around(self) -> list[LinearisedLegs]:

@@ -24,7 +24,7 @@ from viscodesign.robot.build_robot import body_masses, mount_of
 from viscodesign.robot.leg_design import LegDesign, leg_design
 from viscodesign.robot.leg_equations import LOAD, shot_rod
 from viscodesign.robot.leg_pose import BODY, FOOT, Mount, foot_below, tip_seen_from_leg
-from viscodesign.robot.leg_rod import POINTS
+from viscodesign.robot.leg_rod import STRAIN_POINTS
 from viscodesign.robot.robot_keys import RobotKeys
 from viscodesign.robot.stance import Stance
 from viscodesign.scene.loads import STANDARD_GRAVITY
@@ -179,7 +179,7 @@ class StanceSlopes:
         """The tip under a load (3,), its stiffness across, and where it hangs unloaded."""
         pressure = formula_of(self._spec.gauge_pressure)
         pressures = ca.repmat(pressure, len(design.nodes), 1)
-        before = SX.zeros(2 * POINTS * len(design.free_sections))
+        before = SX.zeros(2 * STRAIN_POINTS * len(design.free_sections))
         given = SX.sym("given", LOAD)
         tip = shot_rod(design, given, pressures, before, SX(0)).tip
         flexibility = ca.jacobian(tip, given)

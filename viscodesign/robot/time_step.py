@@ -74,7 +74,7 @@ class RobotState:
     """None where no step led to it."""
 
 
-MAX_ITERATIONS = 25
+MAX_STEP_ITERATIONS = 25
 IMPLICITNESS = 0.5
 """Share of a step's flows that are those at its end: smooth flows are integrated to order 2."""
 PLACE_TOLERANCE = 1e-6
@@ -137,7 +137,7 @@ class StepSolver:
         begun = tuple(self._begun(own) for own in now.legs)
         place, legs = self._expected(now, begun)
         states, pressures = now.contact_states, [sources[g.sources][:, None] for g in self.groups]
-        for _ in range(MAX_ITERATIONS):
+        for _ in range(MAX_STEP_ITERATIONS):
             self.iterations += 1
             around = [
                 linearised(group, place[group.places], own, before, source, self._numbers)

@@ -28,7 +28,7 @@ from viscodesign.robot.vacuum import refuse_sources_in_vacuum
 from viscodesign.scene.reading.write import part_yaml
 from viscodesign.scene.robot_scene import RobotScene
 
-LEAST_CYCLES = 2
+COMPARED_CYCLES = 2
 """Whose advances are compared."""
 
 
@@ -231,12 +231,12 @@ def _period(scene: RobotScene) -> float:
 
 def _cycles(scene: RobotScene, period: float) -> int:
     cycles = math.floor(scene.run.duration / period * (1 + 1e-12))
-    if cycles < LEAST_CYCLES:
+    if cycles < COMPARED_CYCLES:
         raise _fault(
             scene,
             "run.duration",
-            f"{scene.run.duration:g} s is less than {LEAST_CYCLES} cycles of {period:g} s, whose "
-            f"advances are compared; use at least {LEAST_CYCLES * period:g} s",
+            f"{scene.run.duration:g} s is less than {COMPARED_CYCLES} cycles of {period:g} s, "
+            f"whose advances are compared; use at least {COMPARED_CYCLES * period:g} s",
         )
     return cycles
 

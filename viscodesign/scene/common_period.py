@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from viscodesign.scene.inputs.base import Input
 
-PERIOD_REL_TOL = 1e-9
+SAME_PERIOD_REL_TOL = 1e-9
 """Difference of two periods that counts as none."""
 MOST_PERIODS = 24
 """Periods of the slowest input within which all others have to meet."""
@@ -53,4 +53,4 @@ def no_period(inputs: Mapping[str, Input]) -> str:
 
 
 def _is_whole(turns: float) -> bool:
-    return abs(turns - round(turns)) <= PERIOD_REL_TOL * turns
+    return abs(turns - round(turns)) <= SAME_PERIOD_REL_TOL * turns

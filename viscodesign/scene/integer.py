@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
 
-MAX_DIGITS = 18
+MAX_INTEGER_DIGITS = 18
 """More than any key allows, and few enough to be read at once."""
 
 
@@ -16,9 +16,11 @@ def as_integer(given: Any) -> Any:
 
     Anything else as it is given, to be refused; on and off are no numbers.
     """
-    if isinstance(given, str) and re.fullmatch(rf"[+-]?[0-9]{{1,{MAX_DIGITS}}}", given.strip()):
+    if isinstance(given, str) and re.fullmatch(
+        rf"[+-]?[0-9]{{1,{MAX_INTEGER_DIGITS}}}", given.strip()
+    ):
         return int(given)
-    if isinstance(given, float) and given.is_integer() and abs(given) < 10**MAX_DIGITS:
+    if isinstance(given, float) and given.is_integer() and abs(given) < 10**MAX_INTEGER_DIGITS:
         return int(given)
     return given
 

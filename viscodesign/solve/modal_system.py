@@ -21,7 +21,7 @@ from viscodesign.solve.numerics.dense_or_sparse import (
     numeric,
     solver_of,
 )
-from viscodesign.solve.quadratic_rates import ROUND_OFF, QuadraticRate
+from viscodesign.solve.quadratic_rates import SUM_ROUND_OFF, QuadraticRate
 
 MAX_SPREAD = 1e8
 """Fastest rate over that of the run up to which modes are taken: the energy balance loses digits
@@ -169,7 +169,7 @@ class ModalSystem:
         count = self.idle_by.shape[1]
         sums = values[count:] - self.idle_by @ values[:count]
         terms = np.abs(values[count:]) + np.abs(self.idle_by) @ np.abs(values[:count])
-        return np.where(np.abs(sums) <= ROUND_OFF * terms, 0.0, sums)
+        return np.where(np.abs(sums) <= SUM_ROUND_OFF * terms, 0.0, sums)
 
 
 def modal_system(equations: Equations, numbers: np.ndarray, duration: float) -> ModalSystem | None:

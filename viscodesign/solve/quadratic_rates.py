@@ -7,7 +7,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.solve.numerics.dense_or_sparse import Matrix
 
-ROUND_OFF = 1e-13
+SUM_ROUND_OFF = 1e-13
 """Part of the terms of a sum below which the sum is round-off."""
 
 
@@ -46,7 +46,7 @@ class QuadraticRate:
         own = unknowns.T @ bent
         diagonal = np.diag(own).copy()
         coupling = np.max(np.abs(own - np.diag(diagonal)), initial=0.0)
-        if coupling <= ROUND_OFF * np.max(np.abs(diagonal), initial=0.0):
+        if coupling <= SUM_ROUND_OFF * np.max(np.abs(diagonal), initial=0.0):
             own = diagonal if diagonal.any() else np.zeros(0)
         return cls(unknowns, own, bent, hessian, fixed, moving, slope_rows)
 

@@ -20,7 +20,7 @@ from viscodesign.errors import OutputError
 
 MOST_BYTES_IN_MEMORY = 8 * 2**20
 """Bytes up to which an array stays in memory."""
-BLOCK = 4096
+DISK_ROWS = 4096
 """Rows that are processed at once."""
 FLOAT = np.dtype(float)
 
@@ -119,7 +119,7 @@ class GrowingArray:
         )
 
 
-def blocks(count: int, *arrays: np.ndarray, rows: int = BLOCK) -> Iterator[slice]:
+def blocks(count: int, *arrays: np.ndarray, rows: int = DISK_ROWS) -> Iterator[slice]:
     """Consecutive slices of up to ``rows`` of ``count`` rows.
 
     Pages of ``arrays`` on disk that a step has read are released after it.

@@ -10,7 +10,7 @@ from viscodesign.cli.texts.layout import number, table
 from viscodesign.results.findings import outside_words
 from viscodesign.results.path_design import PathDesign
 
-MOST_NUMBERS = 24
+MOST_DESIGN_ROWS = 24
 
 
 def design_lines(found: PathDesign, folder: Path, files: Sequence[Path]) -> list[str]:
@@ -66,9 +66,9 @@ def _numbers(found: PathDesign) -> list[str]:
     if found.graph and not found.parameters:
         return ["", f"  graph  {', '.join(found.graph)}"]
     rows = [(key, number(value, _unit(found, key))) for key, value in found.parameters.items()]
-    more = len(rows) - MOST_NUMBERS
+    more = len(rows) - MOST_DESIGN_ROWS
     tail = [f"  and {more} more in result.json"] if more > 0 else []
-    return ["", *table(rows[:MOST_NUMBERS]), *tail] if rows else []
+    return ["", *table(rows[:MOST_DESIGN_ROWS]), *tail] if rows else []
 
 
 def _mm(length_m: float | None) -> str:

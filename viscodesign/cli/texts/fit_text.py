@@ -11,14 +11,14 @@ from viscodesign.results.channels import PICTURE_UNITS
 from viscodesign.results.fit_result import Experiment, Fit, FittedNumber, FittedRun
 from viscodesign.results.sweep_table import value_words
 
-MOST_NUMBERS = 40
+MOST_FIT_ROWS = 40
 
 
 def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
     """Numbers, what cannot be told, recordings, files."""
     known = sum(own.is_identified for own in found.numbers)
     head = f"{found.name}: {known} of {len(found.numbers)} numbers identified"
-    rows = [_number_row(own) for own in found.numbers[:MOST_NUMBERS]]
+    rows = [_number_row(own) for own in found.numbers[:MOST_FIT_ROWS]]
     more = len(found.numbers) - len(rows)
     return [
         head,

@@ -116,7 +116,7 @@ def _tip_error(trajectory: Trajectory) -> str:
 
 MOST_CONTRIBUTORS = 4
 """Numbers that are named as the largest contributions to the uncertainty."""
-SMALL_SHARE = 0.005
+LEAST_NAMED_SHARE = 0.005
 """Share of the variance below which a number is not named."""
 
 
@@ -143,7 +143,7 @@ def _contributors(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
     band = trajectory.uncertainty
     if band is None:
         return
-    named = [n for n in band.numbers[:MOST_CONTRIBUTORS] if n.share >= SMALL_SHARE]
+    named = [n for n in band.numbers[:MOST_CONTRIBUTORS] if n.share >= LEAST_NAMED_SHARE]
     told = [f"{n.key} {100 * n.share:.0f} %{' (assumed)' if n.assumed else ''}" for n in named] or [
         "none moves the tip"
     ]

@@ -10,7 +10,7 @@ from viscodesign.cli.texts.layout import number, table
 from viscodesign.results.sensitivity_study import AXES, SampledVariance, SensitivityStudy
 from viscodesign.results.sweep_table import value_words
 
-MOST_NUMBERS = 20
+MOST_SENSITIVITY_ROWS = 20
 NOTABLE_DIFFERENCE = 0.05
 """A sampled standard deviation that differs more from that of the band is worth a warning."""
 
@@ -40,7 +40,7 @@ def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Pat
 
 def _numbers(study: SensitivityStudy) -> Iterator[tuple[str, str, str, str]]:
     per_percent = study.mm_per_percent
-    for k in study.order[:MOST_NUMBERS]:
+    for k in study.order[:MOST_SENSITIVITY_ROWS]:
         own, moved = study.numbers[k], per_percent[:, :, k]
         row = int((moved**2).sum(axis=1).argmax())
         words = ", ".join(f"{a} {moved[row, c]:+.3g}" for c, a in enumerate(AXES))

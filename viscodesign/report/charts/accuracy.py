@@ -6,6 +6,7 @@ import itertools
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.charts.accuracy_axes import Window, draw_axes, percent_words, window_of
 from viscodesign.report.charts.accuracy_key import PointMarks, draw_key, key_height
 from viscodesign.report.charts.accuracy_labels import draw_labels, write_note
@@ -18,24 +19,38 @@ from viscodesign.results.accuracy_study import AccuracyStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, SIZE, KEY_WIDTH = 0.78, 0.55, 5.0, 2.25
-LEAST_SIZE, MARGIN = 3.4, 0.12
-"""All in inches; the key goes below where it would leave a plane less than the least size."""
+
+@dataclass(frozen=True)
+class AccuracyLayout:
+    """Lengths of the picture [inch].
+
+    The key goes below where it would leave a plane less than the least size.
+    """
+
+    left: float = 0.78
+    bottom: float = 0.55
+    size: float = 5.0
+    key_width: float = 2.25
+    least_size: float = 3.4
+    margin: float = 0.12
+
+
+IN = AccuracyLayout()
 
 
 def draw_accuracy(study: AccuracyStudy, path: Path) -> None:
     """Log-log; every point by its model and solver, the front, and the recommendation."""
     window = window_of(study)
-    width = look().across(LEFT + SIZE + KEY_WIDTH)
-    is_beside = width - LEFT - KEY_WIDTH >= LEAST_SIZE
-    size = width - LEFT - (KEY_WIDTH if is_beside else MARGIN)
+    width = look().across(IN.left + IN.size + IN.key_width)
+    is_beside = width - IN.left - IN.key_width >= IN.least_size
+    size = width - IN.left - (IN.key_width if is_beside else IN.margin)
     below = 0.0 if is_beside else key_height(study)
-    bottom = BOTTOM + below
-    key = (LEFT + size + 0.12, bottom + size) if is_beside else (LEFT, below)
+    bottom = IN.bottom + below
+    key = (IN.left + size + 0.12, bottom + size) if is_beside else (IN.left, below)
     with picture(path, width, bottom + size + title_room()) as made:
-        axes = axes_at(made, LEFT, bottom, size, size)
+        axes = axes_at(made, IN.left, bottom, size, size)
         draw_axes(axes, window)
-        if size < LEAST_SIZE:
+        if size < IN.least_size:
             axes.set_ylabel("largest tip error / length")
         occupied = [*_draw_bounds(axes, study, window, size), *_draw_front(axes, study, window)]
         _draw_branches(axes, study)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 MOST_LABELS = 9
-LABEL, NOTE = 7.0, 7.5
+LABEL_LETTERS, NOTE_LETTERS = 7.0, 7.5
 """Font sizes [pt]."""
 NOTE_ENDS = (0.985, 0.85, 0.7, 0.55, 0.4, 0.25)
 """Where notes on a line may end, as fractions of the plane."""
@@ -35,7 +35,7 @@ def draw_labels(
     room = [*occupied, *(mark_box(place) for place in others)]
     texts = [_label(study, point, point == best) for point in labelled]
     labels = place_labels(
-        [window.place(point) for point in labelled], texts, room, size=LABEL, side=side
+        [window.place(point) for point in labelled], texts, room, size=LABEL_LETTERS, side=side
     )
     for point, label in zip(labelled, labels, strict=True):
         if label.step > 0:
@@ -43,8 +43,8 @@ def draw_labels(
             axes.plot(*ends, color=look().grey, lw=0.6, zorder=2.5, transform=axes.transAxes)
         is_best = point == best
         axes.text(
-            label.x, label.y, label.text, ha=label.across, va=label.upright, size=LABEL, zorder=7,
-            linespacing=1.1, transform=axes.transAxes,
+            label.x, label.y, label.text, ha=label.across, va=label.upright, size=LABEL_LETTERS,
+            zorder=7, linespacing=1.1, transform=axes.transAxes,
             color=look().warning if is_best else look().ink,
             weight="bold" if is_best else "normal",
             bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.7, "pad": 0.3},
@@ -77,13 +77,15 @@ def write_note(
 
     ``side``: of the plane [inch].
     """
-    boxes = [text_box(words, (x, y + 0.004), "right", "bottom", NOTE, side) for x in NOTE_ENDS]
+    boxes = [
+        text_box(words, (x, y + 0.004), "right", "bottom", NOTE_LETTERS, side) for x in NOTE_ENDS
+    ]
     boxes = [box for box in boxes if box.left > 0.0] or boxes[:1]
     hidden = [sum(mark_box(point).overlap(box) for point in points) for box in boxes]
     box = boxes[hidden.index(min(hidden))]
     axes.text(
-        box.right, y + 0.004, words, ha="right", va="bottom", size=NOTE, color=colour, zorder=6,
-        transform=axes.transAxes,
+        box.right, y + 0.004, words, ha="right", va="bottom", size=NOTE_LETTERS, color=colour,
+        zorder=6, transform=axes.transAxes,
     )  # fmt: skip
     return box
 

@@ -20,15 +20,33 @@ from viscodesign.results.run_comparison import Comparison, TipDifference
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, SIDE, GAP, WIDE, RIGHT = 0.75, 0.6, 4.4, 0.95, 3.7, 0.25
-BETWEEN, KEY_LINE, LEAST_WIDTH, TALL = 0.75, 0.19, 6.6, 1.5
-"""All in inches: between the charts of distances, a line of the key, the least width at which these
-charts are on the right of the paths, and their height where they are below."""
-MARGIN = 0.07
-LEAST_SPAN_MM = 0.1
+
+@dataclass(frozen=True)
+class ComparisonLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.75
+    bottom: float = 0.6
+    side: float = 4.4
+    gap: float = 0.95
+    wide: float = 3.7
+    right: float = 0.25
+    between: float = 0.75
+    """Between the charts of distances."""
+    key_line: float = 0.19
+    """A line of the key."""
+    least_width: float = 6.6
+    """From which on these charts are on the right of the paths."""
+    tall: float = 1.5
+    """Their height where they are below."""
+    key_column: float = 2.6
+    """A column of it."""
+
+
+IN = ComparisonLayout()
+PATHS_PAD = 0.07
+LEAST_PATHS_SPAN_MM = 0.1
 MOST_LABEL, MOST_IN_TITLE = 44, 30
-KEY_COLUMN = 2.6
-"""Width of a column of the key [inch]."""
 
 
 class TipMotion(Protocol):
@@ -48,11 +66,11 @@ def draw_comparison(found: Comparison, path: Target) -> None:
     head = title_room() + 0.18 * len(warned)
     height = frame.top + head
     with picture(path, frame.width, height) as made:
-        draw_title(made, shown(_title(found), 110), LEFT)
+        draw_title(made, shown(_title(found), 110), IN.left)
         for k, words in enumerate(reversed(warned)):
             made.text(
-                LEFT / frame.width, (frame.top + 0.06 + 0.18 * k) / height,
-                shown(words, int(13 * (frame.width - LEFT))),
+                IN.left / frame.width, (frame.top + 0.06 + 0.18 * k) / height,
+                shown(words, int(13 * (frame.width - IN.left))),
                 size=8, color=look().warning, weight="bold",
             )  # fmt: skip
         paths = axes_at(made, *frame.paths)
@@ -60,7 +78,7 @@ def draw_comparison(found: Comparison, path: Target) -> None:
         handles, labels = paths.get_legend_handles_labels()
         made.legend(
             handles, labels, loc="upper left", ncols=frame.key_columns, borderaxespad=0,
-            handlelength=2.6, bbox_to_anchor=(LEFT / frame.width, (frame.top - 0.04) / height),
+            handlelength=2.6, bbox_to_anchor=(IN.left / frame.width, (frame.top - 0.04) / height),
         )  # fmt: skip
         _draw_over_time(axes_at(made, *frame.distances[0]), found.differences)
         for place in frame.distances[1:]:
@@ -88,26 +106,26 @@ class PanelPlaces:
 
     @staticmethod
     def of(found: Comparison) -> PanelPlaces:
-        width = look().across(LEFT + SIDE + GAP + WIDE + RIGHT)
+        width = look().across(IN.left + IN.side + IN.gap + IN.wide + IN.right)
         count = 1 + any(d.phase is not None for d in found.differences)
-        columns = max(1, min(2, int((width - LEFT) / KEY_COLUMN)))
-        key = 0.12 + KEY_LINE * -(-len(found.motions) // columns)
-        if width >= LEAST_WIDTH:
-            free = width - LEFT - GAP - RIGHT
-            side = free * SIDE / (SIDE + WIDE)
+        columns = max(1, min(2, int((width - IN.left) / IN.key_column)))
+        key = 0.12 + IN.key_line * -(-len(found.motions) // columns)
+        if width >= IN.least_width:
+            free = width - IN.left - IN.gap - IN.right
+            side = free * IN.side / (IN.side + IN.wide)
             tall, left, wide = (
-                (side - BETWEEN * (count - 1)) / count,
-                LEFT + side + GAP,
+                (side - IN.between * (count - 1)) / count,
+                IN.left + side + IN.gap,
                 free - side,
             )
-            bottoms, base = [BOTTOM + side - tall, BOTTOM][:count], BOTTOM
+            bottoms, base = [IN.bottom + side - tall, IN.bottom][:count], IN.bottom
         else:
-            tall, left, wide = TALL, LEFT, width - LEFT - RIGHT
+            tall, left, wide = IN.tall, IN.left, width - IN.left - IN.right
             side = wide
-            bottoms = [BOTTOM + k * (TALL + BETWEEN) for k in reversed(range(count))]
-            base = BOTTOM + count * (TALL + BETWEEN)
+            bottoms = [IN.bottom + k * (IN.tall + IN.between) for k in reversed(range(count))]
+            base = IN.bottom + count * (IN.tall + IN.between)
         places = tuple((left, bottom, wide, tall) for bottom in bottoms)
-        return PanelPlaces(width, base + side + key, columns, (LEFT, base, side, side), places)
+        return PanelPlaces(width, base + side + key, columns, (IN.left, base, side, side), places)
 
 
 def _title(found: Comparison) -> str:
@@ -151,7 +169,7 @@ def draw_paths(axes: Axes, motions: Sequence[TipMotion], around: np.ndarray | No
 def frame_about(axes: Axes, points: np.ndarray) -> float:
     """Square limits about points (n, 2) [mm], z downwards; returns half a side [mm]."""
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
-    half = (0.5 + MARGIN) * max(float(np.ptp(points, axis=0).max()), LEAST_SPAN_MM)
+    half = (0.5 + PATHS_PAD) * max(float(np.ptp(points, axis=0).max()), LEAST_PATHS_SPAN_MM)
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
     axes.grid(color=look().grid, lw=0.6)

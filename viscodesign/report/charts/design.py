@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.patches import Polygon
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import Target, axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import channel, millimetres
@@ -16,30 +17,49 @@ from viscodesign.results.path_design import PathDesign
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, SIDE, GAP, SEARCH, KEY, RIGHT = 0.75, 0.6, 4.2, 0.95, 2.6, 0.3, 0.25
-LEAST_WIDTH, BELOW, LEAST_KEY, KEY_LINE = 5.6, 1.3, 3.8, 0.2
-"""All in inches: the least width with the search on the right, its height where it is below, the
-least side with the key in one line, and a further line of it."""
-MARGIN = 0.08
-LEAST_SPAN_MM = 1.0
+
+@dataclass(frozen=True)
+class DesignLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.75
+    bottom: float = 0.6
+    side: float = 4.2
+    gap: float = 0.95
+    search: float = 2.6
+    key: float = 0.3
+    right: float = 0.25
+    least_width: float = 5.6
+    """With the search on the right."""
+    below: float = 1.3
+    """Height of the search where it is below."""
+    least_key: float = 3.8
+    """Side from which on the key is one line."""
+    key_line: float = 0.2
+    """A further line of the key."""
+
+
+IN = DesignLayout()
+DESIGN_PAD = 0.08
+LEAST_DESIGN_SPAN_MM = 1.0
 
 
 def draw_design(found: PathDesign, path: Target) -> None:
     """Paths, z down as the actuator hangs; beside or below them the best distance so far."""
-    width = look().across(LEFT + SIDE + GAP + SEARCH + RIGHT)
-    free = width - LEFT - RIGHT
-    if width >= LEAST_WIDTH:
-        side, base = (free - GAP) * SIDE / (SIDE + SEARCH), BOTTOM
-        search = (LEFT + side + GAP, BOTTOM, free - GAP - side, side)
+    width = look().across(IN.left + IN.side + IN.gap + IN.search + IN.right)
+    free = width - IN.left - IN.right
+    if width >= IN.least_width:
+        side, base = (free - IN.gap) * IN.side / (IN.side + IN.search), IN.bottom
+        search = (IN.left + side + IN.gap, IN.bottom, free - IN.gap - side, side)
     else:
-        side, base = free, 2 * BOTTOM + BELOW
-        search = (LEFT, BOTTOM, free, BELOW)
-    columns = 3 if side >= LEAST_KEY else 1
-    key = KEY + KEY_LINE * (3 - columns)
+        side, base = free, 2 * IN.bottom + IN.below
+        search = (IN.left, IN.bottom, free, IN.below)
+    columns = 3 if side >= IN.least_key else 1
+    key = IN.key + IN.key_line * (3 - columns)
     with picture(path, width, base + side + key + title_room()) as made:
-        axes = axes_at(made, LEFT, base, side, side)
+        axes = axes_at(made, IN.left, base, side, side)
         _draw_paths(axes, found, columns)
-        draw_title(made, shown(_title(found), 90), LEFT)
+        draw_title(made, shown(_title(found), 90), IN.left)
         _draw_search(axes_at(made, *search), found)
 
 
@@ -57,7 +77,7 @@ def _draw_paths(axes: Axes, found: PathDesign, columns: int) -> None:
     wanted, way = 1e3 * found.wanted, 1e3 * _closed(found.found, found.closed)
     every = np.concatenate([wanted, way])
     middle = (every.min(axis=0) + every.max(axis=0)) / 2
-    half = (0.5 + MARGIN) * max(float(np.ptp(every, axis=0).max()), LEAST_SPAN_MM)
+    half = (0.5 + DESIGN_PAD) * max(float(np.ptp(every, axis=0).max()), LEAST_DESIGN_SPAN_MM)
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.set_aspect("equal")
     if len(found.band) >= len(found.found) > 1:

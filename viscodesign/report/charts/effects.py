@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullLocator, StrMethodFormatter
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
+from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS_PER_INCH
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import (
     NOTE,
@@ -33,22 +33,40 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LEFT, BOTTOM, PLOT_WIDTH, RIGHT = 2.05, 0.5, 4.6, 0.3
-ROW_HEIGHT, LEGEND_ROW, LEGEND_COLUMN = 0.36, 0.2, 1.65
-NUMBER_WIDTH, LEAST_WIDTH = 0.75, 4.6
-"""Space for a number to the right of the longest bar; the least width with the whole margin."""
-NARROW_LEFT, NARROW_NUMBER_WIDTH = 1.75, 0.45
-"""The margin and that space below it; all in inches."""
-LEAST_LEGEND, LEAST_LABEL = 4.5, 3.4
-"""Widths of the bars from which the key is as wide, and the whole label of the axis fits [inch]."""
+
+@dataclass(frozen=True)
+class EffectsLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 2.05
+    bottom: float = 0.5
+    plot_width: float = 4.6
+    right: float = 0.3
+    row_height: float = 0.36
+    legend_row: float = 0.2
+    legend_column: float = 1.65
+    number_width: float = 0.75
+    """Space for a number to the right of the longest bar."""
+    least_width: float = 4.6
+    """With the whole margin."""
+    narrow_left: float = 1.75
+    """The margin below the least width."""
+    narrow_number_width: float = 0.45
+    least_legend: float = 4.5
+    """Width of the bars from which on the key is as wide."""
+    least_label: float = 3.4
+    """Width of the bars from which on the whole label of the axis fits."""
+    note_line: float = 0.15
+    """A line of what is not applicable."""
+
+
+IN = EffectsLayout()
 LEGEND_ENTRIES = 5
 WRONG, SHORT_WRONG = "NEGLECTED BUT SIGNIFICANT", "NEGLECTED, TOO LARGE"
 BAR_THICKNESS = 0.36
 """Thickness of a bar, as a share of its row."""
 HATCH = "/////"
 BUDGET_DASHES = (0, (5, 2))
-NOTE_LINE = 0.15
-"""Height of a line of what is not applicable [inch]."""
 NUMBER_SIZE, NUMBER_GAP = 6.5, 3.0
 """Letters of numbers, and the room beside them [pt]."""
 SMALLEST_BAR = 1e-5
@@ -88,21 +106,21 @@ def draw_effects(trajectory: Trajectory, path: Target) -> None:
     every = effect_rows(trajectory)
     rows = [row for row in every if row.is_applicable] or every
     budget = 1e3 * trajectory.accuracy.requested_m
-    height = ROW_HEIGHT * len(rows)
-    width = look().across(LEFT + PLOT_WIDTH + RIGHT)
-    left = LEFT if width >= LEAST_WIDTH else NARROW_LEFT
-    wide = width - left - RIGHT
-    number = (NUMBER_WIDTH if left == LEFT else NARROW_NUMBER_WIDTH) / wide
-    columns = 3 if wide >= LEAST_LEGEND else min(2, int(width / LEGEND_COLUMN))
-    legend = LEGEND_ROW * -(-LEGEND_ENTRIES // columns) + 0.1
+    height = IN.row_height * len(rows)
+    width = look().across(IN.left + IN.plot_width + IN.right)
+    left = IN.left if width >= IN.least_width else IN.narrow_left
+    wide = width - left - IN.right
+    number = (IN.number_width if left == IN.left else IN.narrow_number_width) / wide
+    columns = 3 if wide >= IN.least_legend else min(2, int(width / IN.legend_column))
+    legend = IN.legend_row * -(-LEGEND_ENTRIES // columns) + 0.1
     notes = _absent_lines([row.name for row in every if row not in rows], width - 0.2)
-    bottom = BOTTOM + NOTE_LINE * len(notes)
+    bottom = IN.bottom + IN.note_line * len(notes)
     with picture(path, width, bottom + height + legend + head_room(trajectory, width)) as made:
         axes = axes_at(made, left, bottom, wide, height)
         limits = _limits(rows, budget, number)
         axes.set(xscale="log", xlim=limits, ylim=(len(rows) - 0.5, -0.5))
         words = "tip displacement when only this effect is switched [mm]"
-        axes.set_xlabel(words if wide >= LEAST_LABEL else "tip displacement [mm]")
+        axes.set_xlabel(words if wide >= IN.least_label else "tip displacement [mm]")
         axes.xaxis.set_major_locator(LogLocator(numticks=max(3, int(2 * wide))))
         axes.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
         axes.xaxis.set_minor_locator(NullLocator())
@@ -111,10 +129,10 @@ def draw_effects(trajectory: Trajectory, path: Target) -> None:
         axes.axvline(budget, zorder=2, **_budget_line())
         for k, row in enumerate(rows):
             _draw_row(axes, k, row, number)
-        _draw_names(axes, rows, budget, WRONG if left == LEFT else SHORT_WRONG)
+        _draw_names(axes, rows, budget, WRONG if left == IN.left else SHORT_WRONG)
         _draw_legend(made, budget, left, bottom + height, columns)
         for k, line in enumerate(reversed(notes)):
-            draw_note(made, line, 0.1, 0.07 + NOTE_LINE * k)
+            draw_note(made, line, 0.1, 0.07 + IN.note_line * k)
         head(made, trajectory, "tip displacement by effect", 0.1)
 
 
@@ -122,7 +140,7 @@ def _absent_lines(names: list[str], width: float) -> list[str]:
     """What is said of effects without a row, in lines of a width [inch]."""
     if not names:
         return []
-    columns = int(width * POINTS / (CHARACTER_WIDTH * NOTE))
+    columns = int(width * POINTS_PER_INCH / (CHARACTER_WIDTH * NOTE))
     return textwrap.wrap(f"{NOT_APPLICABLE}: {', '.join(names)}", columns)
 
 
@@ -198,7 +216,7 @@ def _write(axes: Axes, x: float, y: float, words: str) -> None:
 
 def _beside_line(axes: Axes, x: float, words: str) -> float:
     low, high = axes.get_xlim()
-    wide = axes.bbox.width / axes.figure.dpi * POINTS
+    wide = axes.bbox.width / axes.figure.dpi * POINTS_PER_INCH
     line, at = (wide * math.log(v / low) / math.log(high / low) for v in (_limit_of(axes), x))
     width = NUMBER_GAP + len(words) * CHARACTER_WIDTH * NUMBER_SIZE + NUMBER_GAP
     return _limit_of(axes) if at < line < at + width else x

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import PICTURE_UNITS
@@ -16,10 +17,25 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LEFT, RUN_WIDTH, GAP, RIGHT, LEAST_RUN_WIDTH = 1.35, 4.2, 1.1, 0.75, 1.5
-BOTTOM, MAP_HEIGHT, ROW_HEIGHT, CURVE_HEIGHT, PANEL_GAP = 0.5, 1.3, 0.115, 1.15, 0.12
-"""In inches."""
-HEADER_ROOM = 0.2
+
+@dataclass(frozen=True)
+class FitLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 1.35
+    run_width: float = 4.2
+    gap: float = 1.1
+    right: float = 0.75
+    least_run_width: float = 1.5
+    bottom: float = 0.5
+    map_height: float = 1.3
+    row_height: float = 0.115
+    curve_height: float = 1.15
+    panel_gap: float = 0.12
+    header_room: float = 0.2
+
+
+IN = FitLayout()
 MOST_RUNS = 3
 """Recordings that are drawn side by side."""
 REACH = 4.0
@@ -28,27 +44,35 @@ REACH = 4.0
 
 def draw_fit(found: Fit, path: Path) -> None:
     """A column a recording: the last marker over time, and residuals of all channels."""
-    natural = LEFT + min(len(found.runs), MOST_RUNS) * (RUN_WIDTH + GAP) - GAP + RIGHT
+    natural = (
+        IN.left + min(len(found.runs), MOST_RUNS) * (IN.run_width + IN.gap) - IN.gap + IN.right
+    )
     width = look().across(natural)
-    fitting = int((width - LEFT - RIGHT + GAP) / (LEAST_RUN_WIDTH + GAP))
+    fitting = int((width - IN.left - IN.right + IN.gap) / (IN.least_run_width + IN.gap))
     runs = found.runs[: min(MOST_RUNS, max(1, fitting))]
-    run_width = (width - LEFT - RIGHT + GAP) / len(runs) - GAP
+    run_width = (width - IN.left - IN.right + IN.gap) / len(runs) - IN.gap
     rows = max(len(run.headers) for run in runs)
-    map_height = max(MAP_HEIGHT, ROW_HEIGHT * rows)
+    map_height = max(IN.map_height, IN.row_height * rows)
     curves = max(len(_drawn(run)) for run in runs)
-    height = BOTTOM + map_height + curves * (CURVE_HEIGHT + PANEL_GAP) + HEADER_ROOM + title_room()
+    height = (
+        IN.bottom
+        + map_height
+        + curves * (IN.curve_height + IN.panel_gap)
+        + IN.header_room
+        + title_room()
+    )
     with picture(path, width, height) as made:
         for k, run in enumerate(runs):
-            left = LEFT + k * (run_width + GAP)
-            image = _draw_map(axes_at(made, left, BOTTOM, run_width, map_height), run)
+            left = IN.left + k * (run_width + IN.gap)
+            image = _draw_map(axes_at(made, left, IN.bottom, run_width, map_height), run)
             if k == len(runs) - 1:
                 _draw_key(made, image, left + run_width + 0.08, map_height)
-            bottom = BOTTOM + map_height + PANEL_GAP
+            bottom = IN.bottom + map_height + IN.panel_gap
             for place in _drawn(run):
-                _draw_curve(axes_at(made, left, bottom, run_width, CURVE_HEIGHT), run, place)
-                bottom += CURVE_HEIGHT + PANEL_GAP
+                _draw_curve(axes_at(made, left, bottom, run_width, IN.curve_height), run, place)
+                bottom += IN.curve_height + IN.panel_gap
             words = shown(
-                " ".join([Path(run.file).name, *run.overrides]), int(14 * (run_width + RIGHT))
+                " ".join([Path(run.file).name, *run.overrides]), int(14 * (run_width + IN.right))
             )
             made.text(left / width, (bottom + 0.02) / height, words, size=8, color=look().note)
         more = len(found.runs) - len(runs)
@@ -120,7 +144,7 @@ def _draw_map(axes: Axes, run: FittedRun) -> object:
 
 
 def _draw_key(made: Figure, image: object, left: float, height: float) -> None:
-    axes = axes_at(made, left, BOTTOM, 0.1, height)
+    axes = axes_at(made, left, IN.bottom, 0.1, height)
     made.colorbar(image, cax=axes)  # type: ignore[arg-type]
     axes.set_ylabel("measured - fitted [sd of the noise]", fontsize=6.5)
     axes.tick_params(labelsize=6.5)

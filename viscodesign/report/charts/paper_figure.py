@@ -26,13 +26,29 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LEFT, SIDE, GAP, RIGHT = 0.72, 3.5, 1.0, 0.25
-TITLE, AXIS, LINE, PADDING = 0.3, 0.5, 0.145, 0.25
-"""All in inches: a row of panels has a title, a square, room for its axis, and lines of words."""
+
+@dataclass(frozen=True)
+class FigureLayout:
+    """Lengths of the picture [inch].
+
+    A row of panels has a title, a square, room for its axis, and lines of words.
+    """
+
+    left: float = 0.72
+    side: float = 3.5
+    gap: float = 1.0
+    right: float = 0.25
+    title: float = 0.3
+    axis: float = 0.5
+    line: float = 0.145
+    padding: float = 0.25
+    least_side: float = 2.2
+    """Of a panel with another beside it."""
+
+
+IN = FigureLayout()
 STILL_SHARE = 1e-6
 """Way of the tip, in lengths of the actuator, below which it is steady."""
-LEAST_SIDE = 2.2
-"""Least side of a panel with another beside it [inch]."""
 INSTANTS = 6
 """Shapes drawn along the path of a single run."""
 COLUMNS = 20
@@ -62,21 +78,24 @@ def draw_figure(found: PaperFigure, path: Path) -> None:
         told = [f"{found.count_words[0].upper()}{found.count_words[1:]}", *differing]
         draw_plane(found.classifications, path, found.beside, told)
         return
-    width = look().across(LEFT + 2 * SIDE + GAP + RIGHT)
-    side, count = (width - LEFT - GAP - RIGHT) / 2, 2
-    if side < LEAST_SIDE:
-        side, count = width - LEFT - RIGHT, 1
+    width = look().across(IN.left + 2 * IN.side + IN.gap + IN.right)
+    side, count = (width - IN.left - IN.gap - IN.right) / 2, 2
+    if side < IN.least_side:
+        side, count = width - IN.left - IN.right, 1
     rows = [found.panels[k : k + count] for k in range(0, len(found.panels), count)]
     texts = [[_lines(found, panel, side) for panel in row] for row in rows]
-    heights = [TITLE + side + AXIS + LINE * max(len(own) for own in row) + PADDING for row in texts]
+    heights = [
+        IN.title + side + IN.axis + IN.line * max(len(own) for own in row) + IN.padding
+        for row in texts
+    ]
     top, lines = sum(heights), _head_lines(found, width)
     around = _shared_frame(found)
-    with picture(path, width, top + LINE * len(lines) + title_room()) as made:
-        draw_title(made, shown(_title(found), 120), LEFT)
-        _write_lines(made, lines, LEFT, top + LINE * len(lines))
+    with picture(path, width, top + IN.line * len(lines) + title_room()) as made:
+        draw_title(made, shown(_title(found), 120), IN.left)
+        _write_lines(made, lines, IN.left, top + IN.line * len(lines))
         for row, words, tall in zip(rows, texts, heights, strict=True):
             for k, panel in enumerate(row):
-                left = LEFT + k * (side + GAP)
+                left = IN.left + k * (side + IN.gap)
                 _draw_panel(made, panel, words[k], left, top, side, around)
             top -= tall
 
@@ -92,7 +111,7 @@ def _head_lines(found: PaperFigure, width: float) -> list[tuple[str, str]]:
     if found.outside:
         words = f"Outside of what the model describes: {', '.join(found.outside)}"
         told.append((words, look().warning))
-    most = int(HEAD_COLUMNS * (width - LEFT))
+    most = int(HEAD_COLUMNS * (width - IN.left))
     return [(line, colour) for text, colour in told for line in textwrap.wrap(text, most)]
 
 
@@ -124,7 +143,7 @@ def _words(check: PaperCheck) -> str:
 
 
 def _wrapped(text: str, side: float) -> list[str]:
-    return textwrap.wrap(text, int(COLUMNS * (side + LEFT / 2)), subsequent_indent="    ")
+    return textwrap.wrap(text, int(COLUMNS * (side + IN.left / 2)), subsequent_indent="    ")
 
 
 def _draw_panel(
@@ -139,18 +158,18 @@ def _draw_panel(
     width, height = made.get_size_inches()
     title = f"{panel.name}  {panel.title}"
     made.text(left / width, (top - 0.19) / height, title, size=9.5, weight="bold")
-    bottom = top - TITLE - side
+    bottom = top - IN.title - side
     axes = axes_at(made, left, bottom, side, side)
     if panel.runs:
         _draw_runs(axes, panel.runs, around)
-    _write_lines(made, words, left - 0.35, bottom - AXIS)
+    _write_lines(made, words, left - 0.35, bottom - IN.axis)
 
 
 def _write_lines(made: Figure, lines: list[tuple[str, str]], left: float, top: float) -> None:
     """Lines of words from a place [inch] down."""
     width, height = made.get_size_inches()
     for k, (line, colour) in enumerate(lines):
-        at = top - LINE * (k + 0.6)
+        at = top - IN.line * (k + 0.6)
         made.text(left / width, at / height, line, size=7.2, color=colour)
 
 

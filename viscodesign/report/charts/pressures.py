@@ -9,6 +9,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, Normalize
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.downsampling import envelope
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import LINE_STYLES
@@ -29,27 +30,44 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LEFT, BOTTOM, PANEL_WIDTH, PANEL_HEIGHT, GAP, BAR_GAP, RIGHT = 0.68, 0.5, 2.5, 3.0, 0.3, 0.15, 0.65
-PANEL_TITLE, LEGEND_ROW, LEGEND_COLUMN = 0.22, 0.2, 1.1
-LEAST_WIDTH, LOW_PANEL = 4.6, 1.7
-"""All in inches: the least width with both panels side by side, and the height of a panel where one
-is above the other."""
+
+@dataclass(frozen=True)
+class PressuresLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.68
+    bottom: float = 0.5
+    panel_width: float = 2.5
+    panel_height: float = 3.0
+    gap: float = 0.3
+    bar_gap: float = 0.15
+    right: float = 0.65
+    panel_title: float = 0.22
+    legend_row: float = 0.2
+    legend_column: float = 1.1
+    least_width: float = 4.6
+    """With both panels side by side."""
+    low_panel: float = 1.7
+    """Height of a panel where one is above the other."""
+
+
+IN = PressuresLayout()
 MOST_DISCRETE_SECTIONS = 16
 """Up to this number of sections, each has its own field in the colour bar."""
 
 
 def draw_pressures(trajectory: Trajectory, path: Target) -> None:
     """Two panels, left and right column, kPa gauge; colour is the section."""
-    width = look().across(LEFT + 2 * PANEL_WIDTH + GAP + BAR_GAP + RIGHT)
-    free = width - LEFT - BAR_GAP - RIGHT
-    wide, tall = (free - GAP) / 2, PANEL_HEIGHT
-    lefts, bottoms = (LEFT, LEFT + wide + GAP), (BOTTOM, BOTTOM)
-    if width < LEAST_WIDTH:
-        wide, tall, lefts = free, LOW_PANEL, (LEFT, LEFT)
-        bottoms = (BOTTOM + LOW_PANEL + PANEL_TITLE + 0.1, BOTTOM)
-    columns = min(len(LINE_STYLES), int(free / LEGEND_COLUMN))
+    width = look().across(IN.left + 2 * IN.panel_width + IN.gap + IN.bar_gap + IN.right)
+    free = width - IN.left - IN.bar_gap - IN.right
+    wide, tall = (free - IN.gap) / 2, IN.panel_height
+    lefts, bottoms = (IN.left, IN.left + wide + IN.gap), (IN.bottom, IN.bottom)
+    if width < IN.least_width:
+        wide, tall, lefts = free, IN.low_panel, (IN.left, IN.left)
+        bottoms = (IN.bottom + IN.low_panel + IN.panel_title + 0.1, IN.bottom)
+    columns = min(len(LINE_STYLES), int(free / IN.legend_column))
     rows = -(-len(trajectory.inlet_pressure) // columns)
-    above = PANEL_TITLE + LEGEND_ROW * rows + head_room(trajectory, width)
+    above = IN.panel_title + IN.legend_row * rows + head_room(trajectory, width)
     top = bottoms[0] + tall
     with picture(path, width, top + above) as made:
         left, right = (axes_at(made, x, y, wide, tall) for x, y in zip(lefts, bottoms, strict=True))
@@ -70,10 +88,10 @@ def draw_pressures(trajectory: Trajectory, path: Target) -> None:
             right.set_ylabel(channel("pressure").label)
             left.set_xlabel("")
             left.tick_params(labelbottom=False)
-        _draw_legend(made, right, columns, top + PANEL_TITLE)
-        bar = axes_at(made, width - RIGHT, BOTTOM, 0.12, top - BOTTOM)
+        _draw_legend(made, right, columns, top + IN.panel_title)
+        bar = axes_at(made, width - IN.right, IN.bottom, 0.12, top - IN.bottom)
         _draw_bar(made, bar, trajectory, norm)
-        head(made, trajectory, "gauge pressures", LEFT)
+        head(made, trajectory, "gauge pressures", IN.left)
 
 
 def _section_colours(sections: int) -> Normalize:
@@ -145,7 +163,7 @@ def _draw_legend(made: Figure, axes: Axes, columns: int, bottom: float) -> None:
     made.legend(
         *axes.get_legend_handles_labels(), loc="lower left", ncols=columns, handlelength=2.4,
         borderaxespad=0, columnspacing=1.4,
-        bbox_to_anchor=(LEFT / width, bottom / height),
+        bbox_to_anchor=(IN.left / width, bottom / height),
     )  # fmt: skip
 
 

@@ -27,9 +27,26 @@ WORDS = {
     "IV": "IV  uniform pressure,\nquasi-static",
 }
 CORNERS = {"I": (1, 1), "II": (0, 1), "III": (0, 0), "IV": (1, 0)}
-LEFT, BOTTOM, SIZE, ABOVE, RIGHT = 0.72, 0.55, 4.6, 0.15, 0.2
-KEY_WIDTH, KEY_LINE, LEAST_SIZE = 2.2, 0.16, 3.4
-"""All in inches; the key goes below where it would leave a plane less than the least size."""
+
+
+@dataclass(frozen=True)
+class QuadrantsLayout:
+    """Lengths of the picture [inch].
+
+    The key goes below where it would leave a plane less than the least size.
+    """
+
+    left: float = 0.72
+    bottom: float = 0.55
+    size: float = 4.6
+    above: float = 0.15
+    right: float = 0.2
+    key_width: float = 2.2
+    key_line: float = 0.16
+    least_size: float = 3.4
+
+
+IN = QuadrantsLayout()
 WORDS_SIZE, NARROW_WORDS_SIZE = 8.5, 6.5
 """Letters of the words in the quadrants [pt]; the second size on a smaller plane."""
 LARGEST_DECADE = 9
@@ -71,24 +88,24 @@ def draw_plane(
     direct = len(marks) <= MOST_NAMED_MARKS and all(
         len(mark.names) <= MOST_NAMES_PER_MARK for mark in marks
     )
-    width = look().across(LEFT + SIZE + (RIGHT if direct else KEY_WIDTH))
-    is_beside = not direct and width - LEFT - KEY_WIDTH >= LEAST_SIZE
-    size = min(SIZE, width - LEFT - (KEY_WIDTH if is_beside else RIGHT))
-    below = 0.0 if direct or is_beside else 0.1 + KEY_LINE * _key_lines(marks)
+    width = look().across(IN.left + IN.size + (IN.right if direct else IN.key_width))
+    is_beside = not direct and width - IN.left - IN.key_width >= IN.least_size
+    size = min(IN.size, width - IN.left - (IN.key_width if is_beside else IN.right))
+    below = 0.0 if direct or is_beside else 0.1 + IN.key_line * _key_lines(marks)
     lines = [line for text in told for line in textwrap.wrap(text, int(TOLD_COLUMNS * width))]
-    foot = KEY_LINE * len(lines) + (0.1 if lines else 0.0)
-    with picture(path, width, foot + below + BOTTOM + size + ABOVE) as made:
+    foot = IN.key_line * len(lines) + (0.1 if lines else 0.0)
+    with picture(path, width, foot + below + IN.bottom + size + IN.above) as made:
         _write_told(made, lines, foot)
-        axes = axes_at(made, LEFT, foot + below + BOTTOM, size, size)
+        axes = axes_at(made, IN.left, foot + below + IN.bottom, size, size)
         axes.set(xlim=(0, 1), ylim=(0, 1))
         words = _draw_quadrants(axes, decades, beside or {}, size)
         _draw_ticks(axes, decades)
         texts = ["\n".join(m.names) if direct else str(k + 1) for k, m in enumerate(marks)]
         _draw_marks(axes, marks, texts, words, size)
         if not direct:
-            place = (LEFT + size + 0.15, foot + BOTTOM, size)
+            place = (IN.left + size + 0.15, foot + IN.bottom, size)
             if not is_beside:
-                place = (LEFT, foot + 0.05, below - 0.05)
+                place = (IN.left, foot + 0.05, below - 0.05)
             _draw_key(made, marks, *place)
 
 
@@ -96,7 +113,7 @@ def _write_told(made: Figure, lines: Sequence[str], top: float) -> None:
     """Lines from a height [inch] down; all but the first warn."""
     width, height = made.get_size_inches()
     for k, line in enumerate(lines):
-        at = top - KEY_LINE * (k + 1)
+        at = top - IN.key_line * (k + 1)
         colour = look().warning if k else look().ink
         made.text(0.1 / width, at / height, line, size=7.5, color=colour)
 
@@ -171,7 +188,7 @@ def _draw_quadrants(
         Box(x - HALF_LINE, 0, x + HALF_LINE, 1, faint=True),
         Box(0, y - HALF_LINE, 1, y + HALF_LINE, faint=True),
     ]
-    letters = WORDS_SIZE if size >= LEAST_SIZE else NARROW_WORDS_SIZE
+    letters = WORDS_SIZE if size >= IN.least_size else NARROW_WORDS_SIZE
     for quadrant, (right, up) in CORNERS.items():
         place = (0.98 if right else 0.02, 0.98 if up else 0.02)
         across, upright = "right" if right else "left", "top" if up else "bottom"
@@ -225,10 +242,10 @@ def _key_lines(marks: list[Mark]) -> float:
 
 def _draw_key(made: Figure, marks: list[Mark], left: float, bottom: float, height: float) -> None:
     """Numbers and names in a column, in the order of the marks' height; its place in inches."""
-    step = min(KEY_LINE, height / max(_key_lines(marks), 1.0))
+    step = min(IN.key_line, height / max(_key_lines(marks), 1.0))
     size = min(8.0, step * 72 / 1.2)
-    axes = axes_at(made, left, bottom, KEY_WIDTH - 0.2, height)
-    axes.set(xlim=(0, KEY_WIDTH - 0.2), ylim=(height, 0))
+    axes = axes_at(made, left, bottom, IN.key_width - 0.2, height)
+    axes.set(xlim=(0, IN.key_width - 0.2), ylim=(height, 0))
     axes.set_axis_off()
     down = step / 2
     for k, mark in enumerate(marks):

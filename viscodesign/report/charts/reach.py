@@ -5,15 +5,31 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.patches import Polygon
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import Target, axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import channel
 from viscodesign.results.reach_study import ReachStudy
 
-LEFT, BOTTOM, WIDTH, RIGHT, KEY_LINE, KEY_COLUMN = 0.75, 0.6, 6.0, 0.25, 0.2, 1.6
-"""In inches; a line of the key, and a column of it."""
-TALLEST, LOWEST = 6.0, 2.6
-MARGIN = 0.06
+
+@dataclass(frozen=True)
+class ReachLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.75
+    bottom: float = 0.6
+    width: float = 6.0
+    right: float = 0.25
+    key_line: float = 0.2
+    """A line of the key."""
+    key_column: float = 1.6
+    """A column of it."""
+    tallest: float = 6.0
+    lowest: float = 2.6
+
+
+IN = ReachLayout()
+REACH_PAD = 0.06
 NEAR_CLAMP = 0.4
 """The clamp is drawn, too, if it is nearer than this part of the extent of what is drawn."""
 
@@ -22,16 +38,16 @@ def draw_reach(study: ReachStudy, path: Target) -> None:
     """Both sets as areas, z down from the clamp, and the point with the tip's way to it."""
     point = study.point
     low, high, has_clamp = _limits(study)
-    full = look().across(LEFT + WIDTH + RIGHT)
-    width = full - LEFT - RIGHT
-    height = float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), LOWEST, TALLEST))
+    full = look().across(IN.left + IN.width + IN.right)
+    width = full - IN.left - IN.right
+    height = float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), IN.lowest, IN.tallest))
     size = np.array([width, height])
     short = size * float(np.max((high - low) / size)) - (high - low)
     low, high = low - short / 2, high + short / 2
-    columns = 5 if look().width is None else max(1, int(width / KEY_COLUMN))
-    key = 0.15 + KEY_LINE * -(-(2 + has_clamp + 2 * (point is not None)) // columns)
-    with picture(path, full, BOTTOM + height + key + title_room()) as made:
-        axes = axes_at(made, LEFT, BOTTOM, width, height)
+    columns = 5 if look().width is None else max(1, int(width / IN.key_column))
+    key = 0.15 + IN.key_line * -(-(2 + has_clamp + 2 * (point is not None)) // columns)
+    with picture(path, full, IN.bottom + height + key + title_room()) as made:
+        axes = axes_at(made, IN.left, IN.bottom, width, height)
         areas = (
             (study.edge_two_inlets, look().faint, "two inlets"),
             (study.edge, look().main, "one inlet"),
@@ -54,7 +70,7 @@ def draw_reach(study: ReachStudy, path: Target) -> None:
         axes.set_aspect("equal")
         axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderaxespad=0.1,
                     columnspacing=1.2, handlelength=1.4)  # fmt: skip
-        draw_title(made, shown(_title(study), 90), LEFT)
+        draw_title(made, shown(_title(study), 90), IN.left)
 
 
 def _limits(study: ReachStudy) -> tuple[np.ndarray, np.ndarray, bool]:
@@ -69,7 +85,7 @@ def _limits(study: ReachStudy) -> tuple[np.ndarray, np.ndarray, bool]:
     has_clamp = float(apart.max()) <= NEAR_CLAMP * float(np.max(high - low))
     if has_clamp:
         low, high = np.minimum(low, 0.0), np.maximum(high, 0.0)
-    pad = MARGIN * float(np.max(high - low))
+    pad = REACH_PAD * float(np.max(high - low))
     return low - pad, high + pad, has_clamp
 
 

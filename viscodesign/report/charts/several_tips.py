@@ -21,9 +21,25 @@ from viscodesign.results.channels import channel
 from viscodesign.results.several_runs import SeveralRuns
 from viscodesign.results.trajectory import Trajectory
 
-LEFT, BOTTOM, SIDE, GAP, WIDE, RIGHT = 0.7, 0.5, 3.2, 0.75, 3.2, 0.2
-KEY_LINE, LEAST_WIDTH = 0.2, 6.0
-"""All in inches; below the least width the panels stand one above the other."""
+
+@dataclass(frozen=True)
+class TipsLayout:
+    """Lengths of the picture [inch].
+
+    Below the least width the panels stand one above the other.
+    """
+
+    left: float = 0.7
+    bottom: float = 0.5
+    side: float = 3.2
+    gap: float = 0.75
+    wide: float = 3.2
+    right: float = 0.2
+    key_line: float = 0.2
+    least_width: float = 6.0
+
+
+IN = TipsLayout()
 
 
 @dataclass(frozen=True)
@@ -43,22 +59,22 @@ class OneTip:
 def draw_several_tips(found: SeveralRuns, path: Target) -> None:
     """The paths of all distinct tips at one scale, and their x over time."""
     motions = _distinct(found)
-    width = look().across(LEFT + SIDE + GAP + WIDE + RIGHT)
-    is_wide = width >= LEAST_WIDTH
-    side = (width - LEFT - GAP - RIGHT) / 2 if is_wide else width - LEFT - RIGHT
-    key = 0.12 + KEY_LINE * -(-len(motions) // 3)
-    above = BOTTOM if is_wide else 2 * BOTTOM + side
+    width = look().across(IN.left + IN.side + IN.gap + IN.wide + IN.right)
+    is_wide = width >= IN.least_width
+    side = (width - IN.left - IN.gap - IN.right) / 2 if is_wide else width - IN.left - IN.right
+    key = 0.12 + IN.key_line * -(-len(motions) // 3)
+    above = IN.bottom if is_wide else 2 * IN.bottom + side
     with picture(path, width, above + side + key + title_room()) as made:
-        draw_title(made, shown(f"{found.name}: tips, each from its own clamp", 90), LEFT)
-        paths = axes_at(made, LEFT, above, side, side)
+        draw_title(made, shown(f"{found.name}: tips, each from its own clamp", 90), IN.left)
+        paths = axes_at(made, IN.left, above, side, side)
         draw_paths(paths, motions)
         handles, labels = paths.get_legend_handles_labels()
         top = above + side + key
         made.legend(
             handles, labels, loc="upper left", ncols=3, borderaxespad=0, handlelength=2.6,
-            bbox_to_anchor=(LEFT / width, (top - 0.04) / made.get_size_inches()[1]),
+            bbox_to_anchor=(IN.left / width, (top - 0.04) / made.get_size_inches()[1]),
         )  # fmt: skip
-        axes = axes_at(made, LEFT + side + GAP if is_wide else LEFT, BOTTOM, side, side)
+        axes = axes_at(made, IN.left + side + IN.gap if is_wide else IN.left, IN.bottom, side, side)
         for k, motion in enumerate(motions):
             time, across = envelope(motion.run.time, 1e3 * motion.tip[:, :1])
             style = line_style(k)

@@ -14,7 +14,7 @@ from matplotlib.patches import Rectangle
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.ground_outline import feet, ground_outline, ground_words
 from viscodesign.report.layout.bellow_blocks import bellow_blocks, section_widths
-from viscodesign.report.layout.label_placement import POINTS
+from viscodesign.report.layout.label_placement import POINTS_PER_INCH
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes, spread_instants
@@ -45,9 +45,19 @@ INLET_MARK = 0.16
 """Half the size of an inlet, of half the width of the clamp."""
 MOST_EDGED_SECTIONS = 24
 """With more sections than this a bellow's edge would hide its colour."""
-WIDTH, SIDE, FOOT_HEIGHT, LEAST_WIDTH = 6.6, 0.2, 0.62, 4.6
-"""The figure, its margins, the foot with scale and colour bar, and the least width with all in one
-line there [inch]."""
+
+
+@dataclass(frozen=True)
+class ShapesLayout:
+    """Lengths of the picture [inch]."""
+
+    width: float = 6.6
+    side: float = 0.2
+    foot_height: float = 0.62
+    least_width: float = 4.6
+
+
+IN = ShapesLayout()
 
 
 @dataclass(frozen=True)
@@ -78,16 +88,18 @@ class Snapshots:
 
 def draw_shapes(trajectory: Trajectory, path: Target) -> None:
     """Instants at one scale with bellows, tubes and inlets, a scale bar and a colour bar."""
-    width = look().across(WIDTH)
-    foot = FOOT_HEIGHT + (0.0 if width >= LEAST_WIDTH else 0.24)
-    snapshots = _snapshots(trajectory, MOST_SNAPSHOTS if width >= LEAST_WIDTH else NARROW_SNAPSHOTS)
-    strip = arrange(_frames(snapshots), 1e3 * trajectory.length, width - 2 * SIDE)
+    width = look().across(IN.width)
+    foot = IN.foot_height + (0.0 if width >= IN.least_width else 0.24)
+    snapshots = _snapshots(
+        trajectory, MOST_SNAPSHOTS if width >= IN.least_width else NARROW_SNAPSHOTS
+    )
+    strip = arrange(_frames(snapshots), 1e3 * trajectory.length, width - 2 * IN.side)
     ground = ground_of(trajectory)
     note = 0.0 if ground is None else NOTE_ROOM
     height = foot + strip.height + note + head_room(trajectory, width)
     with picture(path, width, height) as made:
-        axes = axes_at(made, SIDE, foot, width - 2 * SIDE, strip.height)
-        wide, high = (width - 2 * SIDE) / strip.scale, strip.height / strip.scale
+        axes = axes_at(made, IN.side, foot, width - 2 * IN.side, strip.height)
+        wide, high = (width - 2 * IN.side) / strip.scale, strip.height / strip.scale
         axes.set(xlim=(0, wide), ylim=(high, 0))
         axes.set_axis_off()
         colours, norm, occurring = pressure_colours(
@@ -102,8 +114,8 @@ def draw_shapes(trajectory: Trajectory, path: Target) -> None:
         _draw_bar(made, ScalarMappable(norm, colours), occurring, width)
         if ground is not None:
             level = foot + strip.height + 0.08
-            draw_note(made, f"dashed: {ground_words(ground)}", SIDE, level)
-        head(made, trajectory, "shapes and gauge pressures", SIDE)
+            draw_note(made, f"dashed: {ground_words(ground)}", IN.side, level)
+        head(made, trajectory, "shapes and gauge pressures", IN.side)
 
 
 def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
@@ -165,7 +177,7 @@ def _draw_tubes(
         LineCollection(lines, colors=look().ink, linewidths=0.6, zorder=0.9, clip_on=False)
     )
     places = (snapshots.inlets + origin[:, None]).reshape(-1, 2)
-    size = 2 * INLET_MARK * snapshots.clamp[0] * strip.scale * POINTS
+    size = 2 * INLET_MARK * snapshots.clamp[0] * strip.scale * POINTS_PER_INCH
     axes.scatter(
         places[:, 0], places[:, 1], c=snapshots.inlet_pressure.ravel(), cmap=colours, norm=norm,
         marker="v", s=size**2, edgecolors=look().ink, linewidths=0.5, zorder=3, clip_on=False,
@@ -243,7 +255,7 @@ def _draw_sides(axes: Axes, snapshots: Snapshots, strip: Strip) -> None:
 def _draw_scale(made: Figure, strip: Strip) -> None:
     """A bar of 20 mm, or of another round length where that is out of proportion."""
     length = scale_length(strip.scale)
-    axes = axes_at(made, SIDE, 0.2, 2.0, 0.3)
+    axes = axes_at(made, IN.side, 0.2, 2.0, 0.3)
     axes.set(xlim=(0, 2.0 / strip.scale), ylim=(0, 1))
     axes.set_axis_off()
     axes.plot([0, length], [0.25, 0.25], color=look().ink, lw=2.4, solid_capstyle="butt")
@@ -263,15 +275,15 @@ def _draw_bar(
 ) -> None:
     """The part of the colours that occurs, lying in the foot."""
     words = channel("pressure").label
-    left = 2.6 if width >= LEAST_WIDTH else 1.35
-    cax = axes_at(made, left, 0.38, width - left - SIDE - 0.1, 0.11)
+    left = 2.6 if width >= IN.least_width else 1.35
+    cax = axes_at(made, left, 0.38, width - left - IN.side - 0.1, 0.11)
     bar = made.colorbar(mapped, cax=cax, orientation="horizontal")
     cax.set_xlim(*occurring)
     cax.tick_params(labelsize=7.5, length=2.5, pad=1.5)
     cax.locator_params(axis="x", nbins=max(3, int(2 * (width - left))))
     bar.outline.set_visible(False)
     high = made.get_figheight()
-    if width >= LEAST_WIDTH:
+    if width >= IN.least_width:
         made.text(2.5 / width, 0.435 / high, words, ha="right", va="center", fontsize=8)
     else:
         made.text(left / width, 0.55 / high, words, fontsize=8)

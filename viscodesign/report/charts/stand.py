@@ -22,8 +22,24 @@ from viscodesign.results.stand_study import StanceRow, StandStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, PANEL, HEIGHT, GAP, RIGHT, LEAST_PANEL = 0.7, 0.6, 2.4, 2.0, 0.75, 0.2, 1.4
-"""All in inches; panels narrower than the least one stand one above the other."""
+
+@dataclass(frozen=True)
+class StandLayout:
+    """Lengths of the picture [inch].
+
+    Panels narrower than the least one stand one above the other.
+    """
+
+    left: float = 0.7
+    bottom: float = 0.6
+    panel: float = 2.4
+    height: float = 2.0
+    gap: float = 0.75
+    right: float = 0.2
+    least_panel: float = 1.4
+
+
+IN = StandLayout()
 QUANTITIES = (
     ("height_m", 1e3, "height of the hips [mm]"),
     ("sway_limit_n", 1.0, "weight that the legs bear [N]"),
@@ -53,22 +69,25 @@ def draw_stand(study: StandStudy, path: Target) -> None:
 
     Three panels by the gauge pressure of the legs, and three by payload.
     """
-    width = look().across(LEFT + 3 * PANEL + 2 * GAP + RIGHT)
-    panel = (width - LEFT - 2 * GAP - RIGHT) / 3
+    width = look().across(IN.left + 3 * IN.panel + 2 * IN.gap + IN.right)
+    panel = (width - IN.left - 2 * IN.gap - IN.right) / 3
     tables = [_by_gauge(study), _by_payload(study)]
-    across = 3 if panel >= LEAST_PANEL else 1
+    across = 3 if panel >= IN.least_panel else 1
     if across == 1:
-        panel = width - LEFT - RIGHT
+        panel = width - IN.left - IN.right
     count = len(tables) * len(QUANTITIES)
     high = count // across
-    step = HEIGHT + BOTTOM
+    step = IN.height + IN.bottom
     with picture(path, width, high * step + title_room()) as made:
         for k in range(count):
-            place = LEFT + k % across * (panel + GAP), BOTTOM + (high - 1 - k // across) * step
-            axes = axes_at(made, *place, panel, HEIGHT)
+            place = (
+                IN.left + k % across * (panel + IN.gap),
+                IN.bottom + (high - 1 - k // across) * step,
+            )
+            axes = axes_at(made, *place, panel, IN.height)
             _curve(axes, study, tables[k // len(QUANTITIES)], k % len(QUANTITIES))
         words = "how it stands, by the gauge pressure of its legs and by payload"
-        draw_title(made, f"{shown(study.name, 60)}: {words}", LEFT)
+        draw_title(made, f"{shown(study.name, 60)}: {words}", IN.left)
 
 
 def _by_gauge(study: StandStudy) -> _StandTable:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.channels import PICTURE_UNITS
@@ -22,10 +23,25 @@ if TYPE_CHECKING:
 
 METRIC_UNITS = {"m": ("mm", 1e3), "m2": ("cm²", 1e4), "s": ("s", 1.0)}
 """Last word of a metric -> what a picture shows, and how many of these it is."""
-LEFT, BOTTOM, WIDTH, HEIGHT = 0.85, 0.62, 5.2, 3.4
-BAR_ROOM, RIGHT = 0.95, 0.25
-PANEL, LEAST_PANEL, PANEL_GAP, MOST_PANELS, ACROSS = 1.75, 1.2, 0.42, 12, 4
-"""All in inches, but for the counts of panels."""
+
+
+@dataclass(frozen=True)
+class SweepLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.85
+    bottom: float = 0.62
+    width: float = 5.2
+    height: float = 3.4
+    bar_room: float = 0.95
+    right: float = 0.25
+    panel: float = 1.75
+    least_panel: float = 1.2
+    panel_gap: float = 0.42
+
+
+IN = SweepLayout()
+MOST_PANELS, ACROSS = 12, 4
 MOST_TICKS = 8
 MOST_MEANS = 10
 
@@ -44,10 +60,13 @@ def draw_sweep(sweep: Sweep, metric: str, path: Path) -> None:
 
 
 def _draw_line(sweep: Sweep, metric: str, path: Path) -> None:
-    width, height = look().across(LEFT + WIDTH + RIGHT), BOTTOM + HEIGHT + title_room()
+    width, height = (
+        look().across(IN.left + IN.width + IN.right),
+        IN.bottom + IN.height + title_room(),
+    )
     (column,), values = sweep.columns, _values(sweep, metric)
     with picture(path, width, height) as made:
-        axes = axes_at(made, LEFT, BOTTOM, width - LEFT - RIGHT, HEIGHT)
+        axes = axes_at(made, IN.left, IN.bottom, width - IN.left - IN.right, IN.height)
         places = _places(sweep, 0)
         order = np.argsort(places, kind="stable")
         axes.plot(places[order], values[order], "o-", color=look().main, ms=3.5, lw=1.2)
@@ -74,11 +93,14 @@ def _mark_failures(axes: Axes, sweep: Sweep, places: np.ndarray) -> None:
 
 def _draw_map(sweep: Sweep, metric: str, path: Path) -> None:
     """The first key upwards, the second across; what failed is crossed out."""
-    width, height = look().across(LEFT + WIDTH + BAR_ROOM), BOTTOM + HEIGHT + title_room()
+    width, height = (
+        look().across(IN.left + IN.width + IN.bar_room),
+        IN.bottom + IN.height + title_room(),
+    )
     up, across = sweep.columns
     counts = [len(column.values or ()) for column in (up, across)]
     with picture(path, width, height) as made:
-        axes = axes_at(made, LEFT, BOTTOM, width - LEFT - BAR_ROOM, HEIGHT)
+        axes = axes_at(made, IN.left, IN.bottom, width - IN.left - IN.bar_room, IN.height)
         table = np.ma.masked_invalid(_values(sweep, metric).reshape(counts))
         shown_map = axes.pcolormesh(
             np.arange(counts[1] + 1), np.arange(counts[0] + 1), table, cmap=look().sequential
@@ -88,7 +110,7 @@ def _draw_map(sweep: Sweep, metric: str, path: Path) -> None:
             axes.plot(place + 0.5, row + 0.5, "x", color=look().accent, ms=5)
         _ticks(axes, across, "x", 0.5)
         _ticks(axes, up, "y", 0.5)
-        bar = axes_at(made, width - BAR_ROOM + 0.15, BOTTOM, 0.14, HEIGHT)
+        bar = axes_at(made, width - IN.bar_room + 0.15, IN.bottom, 0.14, IN.height)
         made.colorbar(shown_map, cax=bar).set_label(_metric_words(metric))
         _title(made, sweep, metric)
 
@@ -101,17 +123,21 @@ def _draw_keys(sweep: Sweep, metric: str, path: Path) -> None:
     values = _values(sweep, metric)
     order = sorted(range(len(sweep.columns)), key=lambda k: -_dependence(_places(sweep, k), values))
     order = order[:MOST_PANELS]
-    natural = LEFT + min(ACROSS, len(order)) * (PANEL + PANEL_GAP)
+    natural = IN.left + min(ACROSS, len(order)) * (IN.panel + IN.panel_gap)
     width = look().across(natural)
-    across = max(1, min(len(order), int((width - LEFT) / (LEAST_PANEL + PANEL_GAP)), ACROSS))
-    panel = (width - LEFT) / across - PANEL_GAP
+    across = max(
+        1, min(len(order), int((width - IN.left) / (IN.least_panel + IN.panel_gap)), ACROSS)
+    )
+    panel = (width - IN.left) / across - IN.panel_gap
     down = math.ceil(len(order) / across)
-    height = down * (PANEL + BOTTOM) + title_room() + 0.1
+    height = down * (IN.panel + IN.bottom) + title_room() + 0.1
     with picture(path, width, height) as made:
         for place, k in enumerate(order):
             row, column = divmod(place, across)
-            left, bottom = LEFT + column * (panel + PANEL_GAP), height - title_room() - 0.1
-            axes = axes_at(made, left, bottom - row * (PANEL + BOTTOM) - PANEL, panel, PANEL)
+            left, bottom = IN.left + column * (panel + IN.panel_gap), height - title_room() - 0.1
+            axes = axes_at(
+                made, left, bottom - row * (IN.panel + IN.bottom) - IN.panel, panel, IN.panel
+            )
             _draw_key(axes, sweep, k, values)
             if column == 0:
                 axes.set_ylabel(_metric_words(metric))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.charts.coefficient_band import band_corners, draw_band
 from viscodesign.report.charts.tip_instants import draw_instants
 from viscodesign.report.charts.tip_path import draw_path, time_range
@@ -40,12 +41,28 @@ MOST_INSTANTS = 7
 LARGEST_AXES = np.array((4.6, 4.8))
 SMALLEST_AXES = np.array((3.2, 2.0))
 """Size of the axes, x and z [inch]."""
-LEFT, BOTTOM, RIGHT = 0.62, 0.5, 0.85
-"""Room around the axes [inch]; the colour bar stands to their right."""
-ZOOM_GAP, ZOOM, ZOOM_LEGEND, LEGEND_LINE = 0.7, 2.1, 0.5, 0.2
-"""Room before, and side of, the enlarged path, and the legend's where that is below [inch]."""
-LEAST_BESIDE = 6.0
-"""Least width that was asked for with the enlarged path on the right [inch]; else it is below."""
+
+
+@dataclass(frozen=True)
+class TipLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.62
+    bottom: float = 0.5
+    right: float = 0.85
+    """Room beside the axes, where the colour bar stands."""
+    zoom_gap: float = 0.7
+    """Before the enlarged path."""
+    zoom: float = 2.1
+    """Side of the enlarged path."""
+    zoom_legend: float = 0.5
+    """The legend, where that is below."""
+    legend_line: float = 0.2
+    least_beside: float = 6.0
+    """Least width that was asked for with the enlarged path on the right; else it is below."""
+
+
+IN = TipLayout()
 ZOOM_RANGE = (1e-3, 0.25)
 """A path whose extent is in this range, in parts of that of the bodies, is also drawn enlarged."""
 
@@ -57,28 +74,32 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
     bodies = outline(trajectory.shape[instants], body_widths(trajectory)) * 1e3
     zoomed = _is_small(trajectory, bodies)
     asked = look().width
-    is_narrow = asked is not None and asked < LEAST_BESIDE
+    is_narrow = asked is not None and asked < IN.least_beside
     below = zoomed and is_narrow
-    beside = ZOOM_GAP + ZOOM if zoomed and not below else 0.0
+    beside = IN.zoom_gap + IN.zoom if zoomed and not below else 0.0
     largest, smallest = LARGEST_AXES, SMALLEST_AXES
     if asked is not None:
-        room = asked - LEFT - RIGHT - beside
+        room = asked - IN.left - IN.right - beside
         largest, smallest = np.array((room, LARGEST_AXES[1])), np.array((room, SMALLEST_AXES[1]))
     low, high = _limits(trajectory, bodies, largest, smallest)
     width, height = np.maximum((high - low) * _scale(low, high, largest), smallest).tolist()
     ground = ground_of(trajectory)
     foot = 0.0 if ground is None else NOTE_ROOM
-    base = foot + BOTTOM + (BOTTOM + ZOOM + ZOOM_LEGEND if below else LEGEND_LINE * is_narrow)
-    right = LEFT + width + beside
-    full = right + RIGHT
+    base = (
+        foot
+        + IN.bottom
+        + (IN.bottom + IN.zoom + IN.zoom_legend if below else IN.legend_line * is_narrow)
+    )
+    right = IN.left + width + beside
+    full = right + IN.right
     with picture(path, full, base + height + head_room(trajectory, full)) as made:
-        axes = axes_at(made, LEFT, base, width, height)
+        axes = axes_at(made, IN.left, base, width, height)
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]))
         axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
         _draw_clamp(axes, trajectory)
         if ground is not None:
             _draw_ground(axes, ground, rows_at(trajectory.tip, rows)[:, :2])
-            draw_note(made, f"dashed: {ground_words(ground)}", LEFT)
+            draw_note(made, f"dashed: {ground_words(ground)}", IN.left)
         # What touches the ground is the axis: no outline is drawn across it.
         if ground is None or not lies_beyond(ground, 1e-3 * bodies, trajectory.length):
             _draw_outlines(axes, bodies)
@@ -86,12 +107,14 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         draw_band(axes, trajectory)
         lines = draw_path(axes, trajectory, 0.4 if zoomed else 1.0)
         if zoomed:
-            side = min(ZOOM, width)
-            axes = axes_at(made, LEFT if below else right - ZOOM, foot + BOTTOM, side, side)
+            side = min(IN.zoom, width)
+            axes = axes_at(
+                made, IN.left if below else right - IN.zoom, foot + IN.bottom, side, side
+            )
             _draw_enlarged(axes, trajectory)
         draw_instants(axes, trajectory, rows)
-        legend = LEFT + ZOOM if below else right
-        level = BOTTOM + ZOOM + 0.25 * below + 0.05 if zoomed else 0.07
+        legend = IN.left + IN.zoom if below else right
+        level = IN.bottom + IN.zoom + 0.25 * below + 0.05 if zoomed else 0.07
         _draw_legend(made, axes, legend, foot + level)
         bar = made.colorbar(lines, cax=axes_at(made, right + 0.15, base, 0.12, height))
         bar.set_label(channel("time").label)
@@ -103,7 +126,7 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         told = f"tip path{' (excerpts)' if thinned else ''}"
         if trajectory.uncertainty is not None and not trajectory.uncertainty.is_still:
             told += ", 95 % band"
-        head(made, trajectory, told, LEFT)
+        head(made, trajectory, told, IN.left)
 
 
 def _is_small(trajectory: Trajectory, bodies: np.ndarray) -> bool:

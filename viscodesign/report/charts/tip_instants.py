@@ -8,7 +8,7 @@ import numpy as np
 
 from viscodesign.report.charts.shapes import time_labels
 from viscodesign.report.charts.tip_path import time_range
-from viscodesign.report.layout.label_placement import POINTS, Box, Label, place_labels
+from viscodesign.report.layout.label_placement import POINTS_PER_INCH, Box, Label, place_labels
 from viscodesign.report.layout.look import look
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import rows_at
@@ -16,7 +16,7 @@ from viscodesign.storage.disk_arrays import rows_at
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SIZE = 7.0
+TIME_LETTERS = 7.0
 """Of the times [pt]."""
 PATH_POINTS, PATH_PEN = 120, 2.0
 """Points of the path that times keep clear of, and the width of its pen [pt]."""
@@ -32,7 +32,9 @@ def draw_instants(axes: Axes, trajectory: Trajectory, rows: np.ndarray) -> None:
     )  # fmt: skip
     side, points = _fractions(axes, tips)
     words = [label.removeprefix("t = ") for label in time_labels(trajectory.time[rows])]
-    for label in place_labels(points, words, _taken(axes, trajectory), size=SIZE, side=side):
+    for label in place_labels(
+        points, words, _taken(axes, trajectory), size=TIME_LETTERS, side=side
+    ):
         _write(axes, label, side)
 
 
@@ -59,7 +61,7 @@ def _taken(axes: Axes, trajectory: Trajectory) -> list[Box]:
     some = np.unique(np.linspace(0, len(trajectory.time) - 1, PATH_POINTS).round().astype(int))
     side, path = _fractions(axes, 1e3 * rows_at(trajectory.tip, some)[:, :2])
     across, up = _size(axes) / side
-    pen = PATH_PEN / POINTS / side
+    pen = PATH_PEN / POINTS_PER_INCH / side
     beside = [Box(across, -9.0, 9.0, 9.0), Box(-9.0, up, 9.0, 9.0)]
     return [*beside, *(Box(x - pen, y - pen, x + pen, y + pen) for x, y in path)]
 
@@ -76,7 +78,7 @@ def _write(axes: Axes, label: Label, side: float) -> None:
             *ends, transform=axes.transAxes, color=look().grey, lw=0.6, zorder=6, clip_on=False
         )
     axes.text(
-        label.x / width, label.y / height, label.text, transform=axes.transAxes, fontsize=SIZE,
-        ha=label.across, va=label.upright, color=look().text, zorder=7,
+        label.x / width, label.y / height, label.text, transform=axes.transAxes,
+        fontsize=TIME_LETTERS, ha=label.across, va=label.upright, color=look().text, zorder=7,
         bbox={"facecolor": look().ground, "edgecolor": "none", "alpha": 0.7, "pad": 0.3},
     )  # fmt: skip

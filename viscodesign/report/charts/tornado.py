@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.style import axes_at, draw_title, picture, shown, title_room
 from viscodesign.results.sensitivity_study import AXES, SensitivityStudy
@@ -12,11 +13,31 @@ from viscodesign.results.sensitivity_study import AXES, SensitivityStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BARS_WIDTH, GAP, PATH_WIDTH, RIGHT = 2.15, 3.0, 0.8, 3.3, 0.2
-BOTTOM, ROW_HEIGHT, LEAST_HEIGHT, PANEL_GAP = 0.55, 0.27, 3.0, 0.12
-LEAST_WIDTH, PANEL_HEIGHT, NARROW_LEFT, LABEL = 6.4, 1.2, 1.55, 0.15
-"""All in inches: the least width with the paths on the right, their height below the bars, and
-there the margin of the bars and a second line of their label."""
+
+@dataclass(frozen=True)
+class TornadoLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 2.15
+    bars_width: float = 3.0
+    gap: float = 0.8
+    path_width: float = 3.3
+    right: float = 0.2
+    bottom: float = 0.55
+    row_height: float = 0.27
+    least_height: float = 3.0
+    panel_gap: float = 0.12
+    least_width: float = 6.4
+    """With the paths on the right."""
+    panel_height: float = 1.2
+    """Height of a path below the bars."""
+    narrow_left: float = 1.55
+    """Margin of the bars there."""
+    label: float = 0.15
+    """A second line of their label there."""
+
+
+IN = TornadoLayout()
 MOST_BARS = 16
 DEVIATIONS = 2
 """Half width of a drawn band, in standard deviations."""
@@ -27,21 +48,21 @@ LINES = 3
 def draw_tornado(study: SensitivityStudy, path: Path) -> None:
     """Bars of the largest shifts, the farthest on top; beside them x and z against time."""
     order = study.order[:MOST_BARS]
-    width = look().across(LEFT + BARS_WIDTH + GAP + PATH_WIDTH + RIGHT)
-    bars, margin = ROW_HEIGHT * max(len(order), 2), LEFT
-    if width >= LEAST_WIDTH:
-        free = width - LEFT - GAP - RIGHT
-        wide = free * BARS_WIDTH / (BARS_WIDTH + PATH_WIDTH)
-        bars, base = max(bars, LEAST_HEIGHT), BOTTOM
-        panel, left, across = (bars - PANEL_GAP) / 2, LEFT + wide + GAP, free - wide
+    width = look().across(IN.left + IN.bars_width + IN.gap + IN.path_width + IN.right)
+    bars, margin = IN.row_height * max(len(order), 2), IN.left
+    if width >= IN.least_width:
+        free = width - IN.left - IN.gap - IN.right
+        wide = free * IN.bars_width / (IN.bars_width + IN.path_width)
+        bars, base = max(bars, IN.least_height), IN.bottom
+        panel, left, across = (bars - IN.panel_gap) / 2, IN.left + wide + IN.gap, free - wide
     else:
-        margin = min(LEFT, max(NARROW_LEFT, width - LEFT - RIGHT))
-        wide = width - margin - RIGHT
-        panel, left, across = PANEL_HEIGHT, GAP, width - GAP - RIGHT
-        base = 2 * BOTTOM + LABEL + 2 * panel + PANEL_GAP
+        margin = min(IN.left, max(IN.narrow_left, width - IN.left - IN.right))
+        wide = width - margin - IN.right
+        panel, left, across = IN.panel_height, IN.gap, width - IN.gap - IN.right
+        base = 2 * IN.bottom + IN.label + 2 * panel + IN.panel_gap
     with picture(path, width, base + bars + title_room()) as made:
         _draw_bars(axes_at(made, margin, base, wide, bars), study, order)
-        for c, bottom in enumerate((BOTTOM + panel + PANEL_GAP, BOTTOM)):
+        for c, bottom in enumerate((IN.bottom + panel + IN.panel_gap, IN.bottom)):
             axes = axes_at(made, left, bottom, across, panel)
             _draw_band(axes, study, c) if study.has_band else _draw_shifts(axes, study, c, order)
             axes.tick_params(labelbottom=c == 1)
@@ -61,7 +82,7 @@ def _words(study: SensitivityStudy, rows: int) -> str:
 def _draw_bars(axes: Axes, study: SensitivityStudy, order: list[int]) -> None:
     """To the right what a larger number does at its worst time, to the left a smaller one."""
     sizes = study.sizes[:, order].max(axis=0)
-    wide_enough = look().across(LEAST_WIDTH) >= LEAST_WIDTH
+    wide_enough = look().across(IN.least_width) >= IN.least_width
     places = range(len(order))
     colour = look().main
     axes.barh(places, sizes, 0.62, color=colour)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import LINE_STYLES
 from viscodesign.report.layout.style import (
@@ -23,8 +24,20 @@ from viscodesign.results.walk_study import WalkStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, WIDTH, PANEL, GAP, RIGHT = 0.8, 0.55, 6.4, 1.15, 0.16, 0.9
-"""All in inches."""
+
+@dataclass(frozen=True)
+class WalkLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.8
+    bottom: float = 0.55
+    width: float = 6.4
+    panel: float = 1.15
+    gap: float = 0.16
+    right: float = 0.9
+
+
+IN = WalkLayout()
 SHOWN_CYCLES = 2
 
 
@@ -39,19 +52,19 @@ def draw_walk(study: WalkStudy, path: Target) -> None:
     panels: tuple[Callable[[Axes, RobotMotion, slice], None], ...] = (
         *(_advance, _gaps, _normal_forces, _friction, _pumps),
     )
-    width = look().across(LEFT + WIDTH + RIGHT)
-    height = BOTTOM + len(panels) * (PANEL + GAP) + title_room()
+    width = look().across(IN.left + IN.width + IN.right)
+    height = IN.bottom + len(panels) * (IN.panel + IN.gap) + title_room()
     with picture(path, width, height) as made:
         motion = study.motion
         rows = _last_cycles(motion)
         for k, draw in enumerate(panels):
-            bottom = BOTTOM + (len(panels) - 1 - k) * (PANEL + GAP)
-            axes = axes_at(made, LEFT, bottom, width - LEFT - RIGHT, PANEL)
+            bottom = IN.bottom + (len(panels) - 1 - k) * (IN.panel + IN.gap)
+            axes = axes_at(made, IN.left, bottom, width - IN.left - IN.right, IN.panel)
             draw(axes, motion, rows)
             axes.set_xlim(motion.time[rows][0], motion.time[rows][-1])
             axes.tick_params(labelbottom=k == len(panels) - 1)
         axes.set_xlabel("time [s]")
-        draw_title(made, f"{shown(study.name, 40)}: {_words(study)}", LEFT)
+        draw_title(made, f"{shown(study.name, 40)}: {_words(study)}", IN.left)
 
 
 def _words(study: WalkStudy) -> str:

@@ -8,7 +8,7 @@ from viscodesign.lazy_dataclass import dataclass
 
 CHARACTER_WIDTH, LINE_HEIGHT = 0.6, 1.3
 """Typical width of a character and height of a line, per font size."""
-POINTS = 72.0
+POINTS_PER_INCH = 72.0
 HALF_MARK = 5.0
 """Half the space of a mark [pt]."""
 HALF_LINE = 0.004
@@ -66,8 +66,8 @@ def text_box(
 ) -> Box:
     """Approximate space of a text of ``size`` [pt] on a plane of ``side`` [inch]."""
     lines = text.split("\n")
-    width = max(len(line) for line in lines) * CHARACTER_WIDTH * size / POINTS / side
-    height = len(lines) * LINE_HEIGHT * size / POINTS / side
+    width = max(len(line) for line in lines) * CHARACTER_WIDTH * size / POINTS_PER_INCH / side
+    height = len(lines) * LINE_HEIGHT * size / POINTS_PER_INCH / side
     left = place[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[across] * width
     bottom = place[1] - {"bottom": 0.0, "center": 0.5, "top": 1.0}[upright] * height
     return Box(left, bottom, left + width, bottom + height)
@@ -82,7 +82,7 @@ def place_labels(
     side: float,
 ) -> list[Label]:
     """One label per point (in fractions of ``side`` [inch]), where it hides least."""
-    mark = HALF_MARK / POINTS / side
+    mark = HALF_MARK / POINTS_PER_INCH / side
     boxes = [*taken, *(Box(x - mark, y - mark, x + mark, y + mark) for x, y in points)]
     labels = []
     for point, text in zip(points, texts, strict=True):
@@ -109,8 +109,8 @@ def _choices(
     found = []
     for step, distance in enumerate(DISTANCES):
         for u, v in DIRECTIONS:
-            x = point[0] + u * distance / POINTS / side
-            y = point[1] + v * distance / POINTS / side
+            x = point[0] + u * distance / POINTS_PER_INCH / side
+            y = point[1] + v * distance / POINTS_PER_INCH / side
             across = "center" if u == 0 else "left" if u > 0 else "right"
             upright = "center" if abs(v) < 1 else "bottom" if v > 0 else "top"
             label = Label(text, point, x, y, across, upright, step)

@@ -8,7 +8,7 @@ import zlib
 import numpy as np
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
-COMPRESSION = 1
+PNG_COMPRESSION = 1
 """Level of zlib."""
 METRE = 1 / 0.0254
 """[inch]"""
@@ -27,7 +27,7 @@ def png_bytes(pixels: np.ndarray, dpi: float) -> bytes:
     chunks = (
         (b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)),
         (b"pHYs", struct.pack(">IIB", density, density, 1)),
-        (b"IDAT", zlib.compress(lines.tobytes(), COMPRESSION)),
+        (b"IDAT", zlib.compress(lines.tobytes(), PNG_COMPRESSION)),
         (b"IEND", b""),
     )
     return SIGNATURE + b"".join(_chunk(kind, data) for kind, data in chunks)

@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import findfont, get_font
 
 from viscodesign.report.layout.drawing_library import plain_settings
-from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS
+from viscodesign.report.layout.label_placement import CHARACTER_WIDTH, POINTS_PER_INCH
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.png import png_bytes
 from viscodesign.results.trajectory import Trajectory
@@ -144,7 +144,7 @@ def draw_title(made: Figure, words: str, left: float, below: float = 0.0) -> Non
     width, height = made.get_size_inches()
     size = TITLE
     if look().width is not None:
-        room = (width - left) * POINTS / CHARACTER_WIDTH
+        room = (width - left) * POINTS_PER_INCH / CHARACTER_WIDTH
         size = min(TITLE, max(SMALLEST_TITLE, room / len(words)))
         words = shown(words, int(room / size))
     made.text(left / width, (height - below - 0.21) / height, words, size=size, va="baseline")
@@ -153,7 +153,7 @@ def draw_title(made: Figure, words: str, left: float, below: float = 0.0) -> Non
 def draw_note(made: Figure, words: str, left: float, level: float = 0.08) -> None:
     """A line of explanation from ``left``, ``level`` above the lower edge [inch]."""
     width, height = made.get_size_inches()
-    size = min(NOTE, (width - left) * POINTS / (CHARACTER_WIDTH * len(words)))
+    size = min(NOTE, (width - left) * POINTS_PER_INCH / (CHARACTER_WIDTH * len(words)))
     made.text(left / width, level / height, words, size=size, color=look().note)
 
 
@@ -192,7 +192,7 @@ def _banner_lines(trajectory: Trajectory, width: float) -> list[str]:
 
 def _characters(width: float, size: float) -> int:
     """How many characters of ``size`` [pt] fit into ``width`` [inch]."""
-    return max(8, int(width * POINTS / (CHARACTER_WIDTH * size)))
+    return max(8, int(width * POINTS_PER_INCH / (CHARACTER_WIDTH * size)))
 
 
 def shown(text: str, limit: int) -> str:

@@ -14,7 +14,7 @@ JUNCTION_PASSES = 4
 """Times that junctions move to the middle of their neighbours."""
 MOST_TUBES = 256
 """With more tubes than this none could be told from another."""
-POINTS = 9
+TUBE_POINTS = 9
 
 Ports = Mapping[str, np.ndarray]
 
@@ -68,7 +68,7 @@ def _ports(
 
 def _line(ports: Ports, outwards: Ports, a: str, b: str, bulge: float) -> np.ndarray:
     """Straight, or an arc outwards between bellows of one column."""
-    along = np.linspace(0.0, 1.0, POINTS)[:, None]
+    along = np.linspace(0.0, 1.0, TUBE_POINTS)[:, None]
     straight = (1 - along) * ports[a] + along * ports[b]
     if a not in outwards or b not in outwards or a[0] != b[0]:
         return straight

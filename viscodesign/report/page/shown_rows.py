@@ -8,7 +8,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import blocks
 
-MOST_ROWS = 1500
+MOST_SHOWN_ROWS = 1500
 """Number of output times up to which all are shown, where the bytes suffice."""
 MOST_BYTES = 1_050_000
 """Bytes of arrays, which become a third more in the file."""
@@ -16,7 +16,7 @@ PATH_KEPT = 0.97
 """Share of the path's length that evenly spaced times must keep; with less, motion is lost."""
 MOST_FLOWS = 32
 """Tubes whose flows are shown: those with the largest."""
-MOST_POINTS = 257
+MOST_AXIS_POINTS = 257
 """Points of the axis, where one a section is not more."""
 
 
@@ -34,7 +34,7 @@ class ShownRows:
 def shown_rows(run: Trajectory) -> ShownRows:
     """All output times if they fit; else evenly spaced ones, or the last, if those lose motion."""
     total = len(run.time)
-    most = max(2, min(MOST_ROWS, MOST_BYTES // _row_bytes(run)))
+    most = max(2, min(MOST_SHOWN_ROWS, MOST_BYTES // _row_bytes(run)))
     if total <= most:
         return ShownRows(np.arange(total), "", True)
     step = -(-(total - 1) // (most - 1))
@@ -87,14 +87,14 @@ def shown_points(run: Trajectory) -> np.ndarray:
     """Points (k,) of the axis, with the ends of every section."""
     sections, points = len(run.bellows) // 2, len(run.arc)
     inside, uneven = divmod(points - 1, sections)
-    if uneven or points <= MOST_POINTS:
+    if uneven or points <= MOST_AXIS_POINTS:
         return np.arange(points)
     kept = max(n for n in range(1, inside + 1) if inside % n == 0 and _fits(n, sections))
     return np.arange(0, points, inside // kept)
 
 
 def _fits(kept: int, sections: int) -> bool:
-    return kept == 1 or kept * sections < MOST_POINTS
+    return kept == 1 or kept * sections < MOST_AXIS_POINTS
 
 
 def shapes_near(run: Trajectory, rows: np.ndarray) -> np.ndarray:

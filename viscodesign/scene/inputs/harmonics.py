@@ -14,7 +14,7 @@ from viscodesign.units import Pressure, PressureLevel, Time
 
 MOST_HARMONICS = 12
 """Number of harmonics that every input carries, so that one set of equations serves them all."""
-SAMPLES = 64
+SWING_SAMPLES = 64
 """Samples of the highest harmonic's period, between which swings are sought."""
 
 
@@ -105,7 +105,7 @@ class HarmonicsInput(SmoothInput):
         return max(map(abs, slope.extremes(self.cycle)))
 
     def swing_time(self) -> float:
-        count = SAMPLES * max(len(self.cosine), len(self.sine), 1)
+        count = SWING_SAMPLES * max(len(self.cosine), len(self.sine), 1)
         time = np.unique(np.append(np.arange(count + 1) / count, self._level_turns()))
         time = np.concatenate([time[:-1], 1.0 + time]) * self.cycle
         profile = points_of(np.column_stack([time, self.values(time)]))

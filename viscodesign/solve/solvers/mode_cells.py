@@ -40,7 +40,7 @@ class CellRules:
 
 
 CELL_RULES = CellRules()
-TINY = np.finfo(float).tiny
+SMALLEST_NORMAL = np.finfo(float).tiny
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,7 @@ class CellGrid:
     def _input_errors(self, cells: ModeCells, size: np.ndarray) -> np.ndarray:
         """Estimated error of interpolation of the inputs, over their sizes, in each cell (c,)."""
         missed = self.next_coefficients(cells.values[: self.input_count])
-        missed = np.max(missed / np.maximum(size, TINY)[:, None], axis=0, initial=0.0)
+        missed = np.max(missed / np.maximum(size, SMALLEST_NORMAL)[:, None], axis=0, initial=0.0)
         return self._response(missed, cells.lengths, len(self.points.share))
 
     def _response(self, missed: np.ndarray, lengths: np.ndarray, count: int) -> np.ndarray:
@@ -155,7 +155,7 @@ class CellGrid:
         """Legendre coefficients (..., c) beyond the last, extrapolated from the last four."""
         last = np.abs(values @ self.points.coefficients[-4:].T)
         before, after = last[..., :2].max(axis=-1), last[..., 2:].max(axis=-1)
-        return np.asarray(after * np.minimum(after / np.maximum(before, TINY), 1.0))
+        return np.asarray(after * np.minimum(after / np.maximum(before, SMALLEST_NORMAL), 1.0))
 
     def halved(self, cells: ModeCells) -> ModeCells:
         """Each of the cells in two."""

@@ -19,7 +19,13 @@ from viscodesign.solve.numerics.exponential_weights import weights
 from viscodesign.solve.numerics.linear_recurrence import marched
 from viscodesign.solve.problem import Problem, evaluate
 from viscodesign.solve.solvers.base import Columns, Solver, Work
-from viscodesign.solve.solvers.mode_cells import CELL_RULES, TINY, CellGrid, ModeCells, in_order
+from viscodesign.solve.solvers.mode_cells import (
+    CELL_RULES,
+    SMALLEST_NORMAL,
+    CellGrid,
+    ModeCells,
+    in_order,
+)
 from viscodesign.solve.statics import Start
 
 
@@ -188,7 +194,7 @@ class _Stretch:
         if np.isrealobj(self.system.rates):
             # Gauss' rule is exact to twice the order of the last coefficient. Vibrations, however,
             # may be small and not resolved.
-            error = error * tail / np.maximum(np.maximum(size, tail), TINY)
+            error = error * tail / np.maximum(np.maximum(size, tail), SMALLEST_NORMAL)
         scale = np.maximum(size @ cells.lengths, RULES.least_integral)
         loose = np.any(error > RULES.integral_rel_tol * scale[:, None], axis=0)
         return cells.lengths * (values @ self.grid.points.share), loose
