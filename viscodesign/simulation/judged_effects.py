@@ -14,6 +14,7 @@ from __future__ import annotations
 import contextlib
 from dataclasses import replace
 
+from viscodesign.effects.allowed_sets import Names
 from viscodesign.effects.select import NUMBERS, Selection
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -91,12 +92,20 @@ class Omission:
 
 
 class EffectJudge:
-    """Measures omissions of one scene; the solution with everything is made once."""
+    """Measures omissions of one scene; the solution with everything is made once.
+
+    ``weighed``: the effects that were chosen by the estimates alone.
+    """
 
     def __init__(
-        self, quantities: SceneQuantities, progress: Progress | None, workspace: Workspace
+        self,
+        quantities: SceneQuantities,
+        weighed: Names,
+        progress: Progress | None,
+        workspace: Workspace,
     ) -> None:
         self._quantities = quantities
+        self._weighed = weighed
         self._progress = progress
         self._workspace = workspace
         self._found: Run | None = None
@@ -106,9 +115,9 @@ class EffectJudge:
     def everything(self, selection: Selection, settings: Settings) -> Run | None:
         """The coarser solution with all effects: complete, or stopped by the user.
 
-        None where nothing is left out, or next to nothing by the estimates of a rod that does
-        not swing, or where no such solution reaches the end. Raises `KeyboardInterrupt` before
-        its first step.
+        None where nothing is left out, or next to nothing by estimates that no run has corrected,
+        of a rod that does not swing, or where no such solution reaches the end. Raises
+        `KeyboardInterrupt` before its first step.
         """
         if not selection.neglected or self._is_spared(selection, settings):
             return None
@@ -124,6 +133,8 @@ class EffectJudge:
 
     def _is_spared(self, selection: Selection, settings: Settings) -> bool:
         """Whether estimates are enough: one solution of a rod with inertia costs as much."""
+        if selection.active != self._weighed:
+            return False  # a run has shown that they do not see what matters
         if self._quantities.bare_estimate.setting.is_cut:
             return False  # they have not seen all of the input
         if selection.estimated_m > JUDGING.least_share * self._quantities.requested_m:

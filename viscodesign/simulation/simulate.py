@@ -89,7 +89,7 @@ def _simulated(
         refuse_beyond_numbers(quantities)
         selection = select_effects(quantities)
         refuse_unsolvable(quantities, selection.active)
-    judge = EffectJudge(quantities, progress, workspace)
+    judge = EffectJudge(quantities, selection.active, progress, workspace)
     request = _Request(tolerance, verify, progress, workspace, watch, judge)
     found = _solve_escalating(quantities, selection, request)
     selection, verifier = found.selection, found.verifier

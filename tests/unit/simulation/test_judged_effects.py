@@ -35,6 +35,10 @@ def settings_of(quantities: SceneQuantities) -> Any:
     return suggest_settings(quantities, select_effects(quantities).effects)
 
 
+def judge_of(quantities: SceneQuantities, selection: Selection) -> EffectJudge:
+    return EffectJudge(quantities, selection.active, None, Workspace())
+
+
 def whole(judge: EffectJudge, selection: Selection, run: Run) -> Run:
     found = judge.everything(selection, run.settings)
     assert found is not None
@@ -43,7 +47,7 @@ def whole(judge: EffectJudge, selection: Selection, run: Run) -> Run:
 
 def test_the_distance_is_that_to_a_solution_with_everything() -> None:
     quantities, selection, run = judged()
-    judge = EffectJudge(quantities, None, Workspace())
+    judge = judge_of(quantities, selection)
     found = judge.omission(run, whole(judge, selection, run))
     everything = solve(quantities, selection.members(selection.everything), coarser(run.settings))
     assert found.tip_m == tip_difference(run.motion, everything.motion) > 0.0
@@ -53,7 +57,7 @@ def test_the_distance_is_that_to_a_solution_with_everything() -> None:
 def test_it_is_the_whole_error_that_a_run_states() -> None:
     """The coarser solution with everything comes first, then the run with fewer effects."""
     quantities, selection, run = judged()
-    judge = EffectJudge(quantities, None, Workspace())
+    judge = judge_of(quantities, selection)
     found = judge.omission(run, whole(judge, selection, run))
     accuracy = simulate(leg(*SHORT)).accuracy
     least_m = JUDGING.stated_per_estimated * selection.estimated_m
@@ -79,7 +83,7 @@ def test_a_run_has_the_tolerance_at_which_its_energy_balance_closes(
 ) -> None:
     """Foreseen by the coarser solution with everything: it took a run for each tenth of it."""
     quantities, selection, run = judged()
-    found = whole(EffectJudge(quantities, None, Workspace()), selection, run)
+    found = whole(judge_of(quantities, selection), selection, run)
     energy = replace(found.motion.invariants, energy_imbalance_rel=residual)
     told = replace(found, motion=replace(found.motion, balances=lambda: energy))
     settings = settings_of(quantities)
@@ -89,7 +93,7 @@ def test_a_run_has_the_tolerance_at_which_its_energy_balance_closes(
 def test_the_coarser_solution_is_not_sampled_between_the_outputs() -> None:
     """Of balances nobody asks; its tip is that of the same solution with all its samples."""
     quantities, selection, run = judged()
-    found = whole(EffectJudge(quantities, None, Workspace()), selection, run)
+    found = whole(judge_of(quantities, selection), selection, run)
     effects = selection.members(selection.everything)
     sampled = solve(quantities, effects, replace(coarser(run.settings), for_balances=True))
     few, many = (len(r.problem.schedule.edges) for r in (found, sampled))
@@ -130,13 +134,28 @@ def test_everything_is_solved_once_whatever_is_judged(monkeypatch: pytest.Monkey
         return solve(*arguments)
 
     monkeypatch.setattr(judged_effects, "solve", counted)
-    judge = EffectJudge(quantities, None, Workspace())
+    judge = judge_of(quantities, selection)
     grown = selection.grown(selection.everything, "to see")
     assert grown is not None
     assert judge.everything(grown, run.settings) is None
     assert solved == []
     assert whole(judge, selection, run) is whole(judge, selection, run)
     assert len(solved) == 1
+
+
+def test_estimates_that_a_run_has_corrected_spare_no_solution() -> None:
+    """They had not seen what mattered; what they say of the rest was stated, three times too low."""
+    slow = "input={kind: sine, frequency: 0.001 Hz, amplitude: 5 kPa}"
+    long = "run={duration: 1000 s, output_interval: 50 s}"
+    quantities = SceneQuantities(leg(*SHORT, "bellows.count=4", "accuracy=5 %", slow, long))
+    selection = select_effects(quantities)
+    corrected = selection.grown(["gas_compressibility"], "a run called for it")
+    assert corrected is not None
+    assert corrected.neglected
+    judge, settings = judge_of(quantities, selection), settings_of(quantities)
+    assert judge.everything(selection, settings) is None
+    assert not judge.has_solved
+    assert judge.everything(corrected, settings) is not None
 
 
 def test_a_judged_run_costs_two_solutions(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -202,7 +221,7 @@ def test_without_verification_nothing_is_judged(monkeypatch: pytest.MonkeyPatch)
 
 def test_what_does_too_much_is_added_one_by_one_and_then_all() -> None:
     quantities, selection, _ = judged()
-    judge = EffectJudge(quantities, None, Workspace())
+    judge = judge_of(quantities, selection)
     far = judged_effects.Omission(1.0, 0.5)
     first = judge.escalation(selection, far)
     assert first is not None
