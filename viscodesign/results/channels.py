@@ -8,6 +8,7 @@ the row brings its own ``read``.
 from __future__ import annotations
 
 import enum
+import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import Literal, Protocol
 
@@ -112,7 +113,8 @@ class Channel:
     @property
     def unit_words(self) -> str:
         """The unit as the last word of a column: ``m3_s`` for m^3/s; a ratio has none."""
-        return self.unit.removeprefix("1").lower().replace("^", "").replace("/", "_")
+        words = re.split("[ */]", self.unit.removeprefix("1").lower().replace("^", ""))
+        return "_".join(word for word in words if word)
 
     @property
     def label(self) -> str:

@@ -15,7 +15,8 @@ from viscodesign.checks.motion_warnings import motion_notices
 from viscodesign.checks.scene_warnings import inlet_violations
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.graph import Graph
-from viscodesign.results.channels import CONTACT_QUANTITIES
+from viscodesign.results import channels
+from viscodesign.results.channels import Per
 from viscodesign.results.coefficient_band import NO_SHARED_BAND
 from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.findings import Notice
@@ -107,18 +108,20 @@ def _arrays(
         values = [pressures[own.nodes[name]] for name in names]
         return np.array(values).T.reshape(times, len(names))
 
+    columns: dict[Per, list[int] | slice] = {
+        Per.BELLOW: bellows,
+        Per.TUBE: tubes,
+        Per.SECTION: sections,
+        Per.CONTACT: touching,
+    }
+    stored = [row for row in channels.CHANNELS if row.read is None and row.per in columns]
     return {
         "time": run.time,
-        "flow": run.flow[:, tubes],
+        **{row.quantity: run[row.quantity][:, columns[row.per]] for row in stored},
         "inlet_pressure": of_nodes(tuple(own.inlets)),
-        "pressure": run.pressure[:, bellows],
-        "volume": run.volume[:, bellows],
         "junction_pressure": of_nodes(graph.junctions),
-        **{array: run[array][:, touching] for array in CONTACT_QUANTITIES},
         "tip": run.tip[:, 3 * place : 3 * place + 3],
         "inflow": _inflow(joined, run, own, graph),
-        "section_stretch": run["section_stretch"][:, sections],
-        "section_turn": run["section_turn"][:, sections],
         "shape": run.shape[:, points],
         "arc": run.arc[points],
     }

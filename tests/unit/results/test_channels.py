@@ -12,7 +12,7 @@ import pytest
 
 from tests.scenes import CONFIGS, ROOT, leg
 from tests.trajectories import made_run, with_two_inlets
-from viscodesign import simulate
+from viscodesign import load_several, simulate, simulate_several
 from viscodesign.postprocess import motion
 from viscodesign.postprocess.outputs import Outputs
 from viscodesign.report.page.page_data import page_data
@@ -141,6 +141,22 @@ def test_a_quantity_of_the_solution_is_a_row_and_where_it_is_computed(
     write_run(run, tmp_path, plots=False)
     assert header(tmp_path / TRAJECTORY)[-4:] == names
     assert ("`density_<bellow>_kg_m3`", "rho", "kg/m^3", TRAJECTORY) in channel_table()
+
+
+def test_each_of_actuators_that_share_fluid_has_its_part_of_a_new_quantity(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    add(monkeypatch, Channel("section_moment", "N*m", "moment", "moment", Per.SECTION))
+    quantities = motion._quantities
+
+    def more(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
+        return {**quantities(outputs, rows), "section_moment": outputs["moment"][rows]}
+
+    monkeypatch.setattr(motion, "_quantities", more)
+    spec = load_several(CONFIGS / "two_legs.yaml", ["run.duration=0.1 s", "effects={others: off}"])
+    runs = simulate_several(spec, verify=False).runs
+    assert [runs[name]["section_moment"].shape[1] for name in ("long", "short")] == [8, 6]
+    assert list(runs["short"].frame("section_moment").columns)[-1] == "section_moment_6_n_m"
 
 
 def test_a_quantity_along_the_axis_is_a_row_of_the_shapes(monkeypatch: pytest.MonkeyPatch) -> None:
