@@ -80,5 +80,6 @@ class TipWall(Effect):
     def join(self, system: System) -> None:
         distance = system.parameter("wall.distance", self.own.distance)
         stiffness = system.parameter("wall.stiffness", self.own.stiffness)
-        depth = ca.fmax(0, system.rod.tip[0] - distance)
-        system.load_potential += stiffness * depth**2 / 2
+        for rod in system.rod.rods:  # several where actuators share fluid
+            depth = ca.fmax(0, rod.tip[0] - distance)
+            system.load_potential += stiffness * depth**2 / 2

@@ -12,8 +12,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tests.scenes import LEG_LENGTH, leg
-from viscodesign import Scene, check, classify, effects, simulate
+from tests.scenes import CONFIGS, LEG_LENGTH, leg
+from viscodesign import Scene, check, classify, effects, load_several, simulate
 from viscodesign.cli.main import main
 from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import _catalogue, catalogue
@@ -354,6 +354,14 @@ def test_a_dissipation_of_another_degree_is_refused(exponent: int) -> None:
         return
     with pytest.raises(SpecError, match=r"effects.tip_drag: .* must be quadratic in the rates"):
         assembled(quantities, [effect])
+
+
+def test_an_effect_on_one_tip_is_refused_where_there_are_several() -> None:
+    own: dict[str, Any] = {"__name__": "outside"}
+    exec(NEW_EFFECT.replace("system.rod.velocity[0, -1] ** 2", "system.rod.tip[0]"), own)
+    (scene,) = load_several(CONFIGS / "two_legs.yaml").joined
+    with pytest.raises(SpecError, match=r"effects.tip_drag: .* TipDrag in outside go through"):
+        build(SceneQuantities(scene), [own["TipDrag"]()], Settings(1, 1e-4))
 
 
 def test_a_new_effect_without_an_estimate_counts_by_its_weight(tip_drag: str) -> None:

@@ -43,8 +43,10 @@ class SpringSymbols(ChainSymbols):
         return self.elastic_turns / self.tributary_lengths
 
     def elastic_energies(self) -> list[SX]:
-        bending = self.EI * self.tributary_lengths * self._curvature() ** 2 / 2
-        return ca.vertsplit(bending + self.EA * self.h * self.elastic_stretch**2 / 2)
+        bending = self.bending_stiffness * self.tributary_lengths * self._curvature() ** 2 / 2
+        return ca.vertsplit(
+            bending + self.extension_stiffness * self.h * self.elastic_stretch**2 / 2
+        )
 
     def stored_energies(self) -> list[SX]:
         return self.elastic_energies()

@@ -7,13 +7,16 @@ import numpy as np
 import pytest
 from casadi import SX
 
-from tests.scenes import leg
+from tests.scenes import CONFIGS, leg
+from viscodesign import load_several
 from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model import formulation
+from viscodesign.model.chain import Chain
 from viscodesign.model.chain_symbols import ChainSymbols
+from viscodesign.model.rod import Body, RodParameters
 from viscodesign.model.system import System
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import Run, solve
@@ -155,18 +158,47 @@ class _Stiffer(Effect):
         return "four times as stiff"
 
     def join(self, system: System) -> None:
-        system.rod.EI = 4 * system.rod.EI
+        system.scale_stiffness(bending=4.0)
 
 
 def test_an_effect_on_the_rods_stiffness_does_not_depend_on_earlier_runs() -> None:
     quantities = SceneQuantities(leg(SHORT, STILL, "effects={gravity: on, others: off}", SIDEWAYS))
     plain = select_effects(quantities).effects
     first = solve(quantities, plain, Settings(1, 1e-6)).motion.tip
-    stiff = solve(quantities, [*plain, _Stiffer()], Settings(1, 1e-6)).motion.tip
+    stiff = solve(quantities, [_Stiffer(), *plain], Settings(1, 1e-6)).motion.tip
     formulation._kept.clear()
-    alone = solve(quantities, [*plain, _Stiffer()], Settings(1, 1e-6)).motion.tip
+    alone = solve(quantities, [_Stiffer(), *plain], Settings(1, 1e-6)).motion.tip
     assert np.array_equal(stiff, alone)
     assert stiff[0, 0] / first[0, 0] == pytest.approx(0.25, rel=0.02)
+
+
+def test_every_one_of_joined_rods_is_stiffer() -> None:
+    loads = (f"actuators.{name}.loads={{tip_force: {{x: 5 mN}}}}" for name in ("long", "short"))
+    spec = load_several(CONFIGS / "two_legs.yaml", [SHORT, *loads])
+    (scene,) = spec.joined
+    quantities = SceneQuantities(scene)
+    plain = [e for e in select_effects(quantities).effects if e.name == "tip_load"]
+    soft, stiff = (
+        solve(quantities, effects, Settings(1, 1e-6)).motion.tips(slice(0, 1))
+        for effects in (plain, [_Stiffer(), *plain])
+    )
+    assert stiff[0, :, 0] / soft[0, :, 0] == pytest.approx(0.25, rel=0.1)
+
+
+def test_the_rods_law_cannot_change_once_something_was_said_of_it() -> None:
+    quantities = SceneQuantities(leg(SHORT, STILL, "effects={gravity: on, others: off}", SIDEWAYS))
+    plain = select_effects(quantities).effects
+    with pytest.raises(ValueError, match="`order` below 5"):
+        solve(quantities, [*plain, _Stiffer()], Settings(1, 1e-6))
+
+
+def test_a_stiffness_is_not_set_by_hand() -> None:
+    """Of several rods none would notice."""
+    rod = Chain(Body(0.1, 2, 0.1, 600.0, 0.3), 2).symbols(
+        RodParameters(*(SX.sym(name) for name in ("EI", "EA", "h", "m", "l")))
+    )
+    with pytest.raises(AttributeError):
+        rod.bending_stiffness = 4 * rod.bending_stiffness  # type: ignore[misc]
 
 
 def test_scene_numbers_cannot_enter_formulas_as_constants(

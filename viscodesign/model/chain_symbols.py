@@ -43,11 +43,10 @@ class ChainSymbols(RodSymbols):
     """Symbols, strains and energies of a chain of ``edges_per_section`` edges a section."""
 
     def __init__(self, body: Body, edges_per_section: int, parameters: RodParameters) -> None:
+        super().__init__(parameters)
         self.body = body
         self.edges = body.sections * edges_per_section
         self.edges_per_section = edges_per_section
-        self.EI = parameters.bending_stiffness
-        self.EA = parameters.extension_stiffness
         self.h = parameters.section_length / edges_per_section
         self.section_length = self.h * edges_per_section
         self.position = SX.sym("position", 2, self.edges)
@@ -94,17 +93,19 @@ class ChainSymbols(RodSymbols):
 
     @property
     def force_size(self) -> SX:
-        return self.EI / self._length**2
+        return self.bending_stiffness / self._length**2
 
     @property
     def internal_size(self) -> SX:
         every = SX.ones(self.edges)
-        return ca.vertcat(every / self._length, every * self.force_size / self.EA)
+        return ca.vertcat(every / self._length, every * self.force_size / self.extension_stiffness)
 
     @property
     def internal_scale(self) -> SX:
         every = SX.ones(self.edges)
-        return ca.vertcat(every * self.edges / self.EI, every / (self.h * self.force_size))
+        return ca.vertcat(
+            every * self.edges / self.bending_stiffness, every / (self.h * self.force_size)
+        )
 
     def masses(self) -> list[PointMass]:
         return list(self._masses)
@@ -127,9 +128,14 @@ class ChainSymbols(RodSymbols):
         # The shortening of a chord that merely bends, of order (kappa h)^2, is left in the stretch.
         r, v = self.coordinates, self.rates
         stretch_rate = ca.jtimes(self.chord_lengths / self.h, r, v)
-        extension = self.EA / self.extension_softness * self.h * stretch_rate**2
+        extension = self.extension_stiffness / self.extension_softness * self.h * stretch_rate**2
         rate = self.curvature_rate
-        bending = self.EI * self.tributary_lengths * rate * (2 * self.strain_rate_values - rate)
+        bending = (
+            self.bending_stiffness
+            * self.tributary_lengths
+            * rate
+            * (2 * self.strain_rate_values - rate)
+        )
         if time.is_scalar():
             return ca.vertsplit(time * (extension + bending))
         edges = self._per_edge(time)
@@ -170,7 +176,7 @@ class ChainSymbols(RodSymbols):
     @property
     def tip_curvature(self) -> SX:
         """Elastic curvature at the tip [1/m], caused by the moment applied there."""
-        return self.tip_moment / self.EI
+        return self.tip_moment / self.bending_stiffness
 
     @property
     def tributary_lengths(self) -> SX:
@@ -243,10 +249,10 @@ class ChainSymbols(RodSymbols):
         # last node's counts, its square does not.
         after = ca.vertcat(c[1:], self.tip_curvature)
         square = self.bending_softness * (c**2 + c * after + ca.vertcat(c[1:], 0) ** 2)
-        bending = self.EI * (c * self.elastic_turns - self.h / 6 * square)
+        bending = self.bending_stiffness * (c * self.elastic_turns - self.h / 6 * square)
         bending[-1] -= self.tip_moment * self._kappa[-1] * self.h / 2
         drawn = self.extension_softness * tau / 2
-        extension = self.EA * self.h * tau * (self.elastic_stretch - drawn)
+        extension = self.extension_stiffness * self.h * tau * (self.elastic_stretch - drawn)
         return ca.vertsplit(bending + extension)
 
     def stored_energies(self) -> list[SX]:

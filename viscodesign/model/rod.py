@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import Self
 
 import casadi as ca
@@ -118,6 +118,15 @@ class RodParameters:
     members: tuple[RodParameters, ...] = ()
     """Parameters of every rod where there are several; the others then are typical ones."""
 
+    def stiffened(self, bending: SX, extension: SX) -> RodParameters:
+        """The same rods with their stiffnesses times these factors [1]."""
+        return replace(
+            self,
+            bending_stiffness=bending * self.bending_stiffness,
+            extension_stiffness=extension * self.extension_stiffness,
+            members=tuple(own.stiffened(bending, extension) for own in self.members),
+        )
+
 
 @dataclass(frozen=True)
 class PointMass:
@@ -131,8 +140,6 @@ class PointMass:
 class RodSymbols(ABC):
     """The rod's unknowns as symbols, and what follows from them."""
 
-    EI: SX
-    EA: SX
     coordinates: SX
     """Generalised coordinates q (n,)."""
     rates: SX
@@ -148,6 +155,19 @@ class RodSymbols(ABC):
     """Intrinsic stretch of every section, as symbols (S,) [1]."""
     tip_moment: SX
     """Moment applied at the tip, a symbol [N m]."""
+
+    def __init__(self, parameters: RodParameters) -> None:
+        self._parameters = parameters
+
+    @property
+    def bending_stiffness(self) -> SX:
+        """Bending stiffness [N m2]; `System.scale_stiffness` changes it."""
+        return self._parameters.bending_stiffness
+
+    @property
+    def extension_stiffness(self) -> SX:
+        """Extension stiffness [N]."""
+        return self._parameters.extension_stiffness
 
     @property
     def rods(self) -> Sequence[RodSymbols]:

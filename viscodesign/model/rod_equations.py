@@ -198,7 +198,7 @@ class RodEquations:
     def _resultant_rows(self) -> list[tuple[SX, GradientRows, SX]]:
         """Symbols of the resultants, what they are, and their sizes."""
         system, rod = self.system, self.rod
-        energies, force = rod.elastic_energies(), rod.EI / system.length**2
+        energies, force = rod.elastic_energies(), rod.bending_stiffness / system.length**2
         return [
             (ca.vertcat(*symbols), GradientRows(energies, strain, -1 / rod.section_length), size)
             for symbols, strain, size in (
@@ -351,7 +351,7 @@ class RodEquations:
 
     def energy_size(self) -> SX:
         """Energy of bending the rod by a tenth of a radian [J]."""
-        return self.rod.EI / self.system.length / 100
+        return self.rod.bending_stiffness / self.system.length / 100
 
     def rates(self) -> dict[str, SX]:
         """Powers whose integrals the balances need [W]."""

@@ -38,14 +38,17 @@ def several_bodies(members: Sequence[Body]) -> Body:
     return replace(softest, sections=sections, varied=None, members=tuple(members))
 
 
+class SeveralTipsError(TypeError):
+    """Several rods have several tips: each of `RodSymbols.rods` answers for its own."""
+
+
 class SeveralRodsSymbols(RodSymbols):
     """The symbols of rods side by side; ``rods`` are those of each."""
 
     def __init__(self, rods: Sequence[RodSymbols], parameters: RodParameters) -> None:
+        super().__init__(parameters)
         self._rods = tuple(rods)
         self._sections = [own.intrinsic_curvature.numel() for own in rods]
-        self.EI = parameters.bending_stiffness
-        self.EA = parameters.extension_stiffness
         self.coordinate_size = parameters.length
         self.coordinates = ca.vertcat(*(own.coordinates for own in rods))
         self.rates = ca.vertcat(*(own.rates for own in rods))
@@ -82,11 +85,11 @@ class SeveralRodsSymbols(RodSymbols):
 
     @property
     def tip(self) -> SX:
-        raise TypeError("several rods have several tips: ask each of `rods`")
+        raise SeveralTipsError
 
     @property
     def tip_angle(self) -> SX:
-        raise TypeError("several rods have several tips: ask each of `rods`")
+        raise SeveralTipsError
 
     @property
     def section_ends(self) -> list[SX]:
@@ -97,7 +100,7 @@ class SeveralRodsSymbols(RodSymbols):
 
     @property
     def force_size(self) -> SX:
-        return self.EI / self.coordinate_size**2
+        return self.bending_stiffness / self.coordinate_size**2
 
     @property
     def internal_size(self) -> SX:
@@ -111,7 +114,7 @@ class SeveralRodsSymbols(RodSymbols):
         return [point for own in self.rods for point in own.masses()]
 
     def add_tip_mass(self, mass: SX) -> None:
-        raise TypeError("several rods have several tips: ask each of `rods`")
+        raise SeveralTipsError
 
     def add_carried_mass(self, per_section: list[SX]) -> None:
         for own, part in zip(self.rods, self._split(per_section), strict=True):

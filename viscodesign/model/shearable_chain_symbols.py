@@ -90,9 +90,9 @@ class ShearableChainSymbols(ChainSymbols):
             ca.jtimes(part / self.h, at, along) for part in (self._along, self._across)
         )
         bending = self._angle_rates - ca.vertcat(0, self._angle_rates[:-1])
-        drawn = self.EA / self.extension_softness * self.h * stretch**2
+        drawn = self.extension_stiffness / self.extension_softness * self.h * stretch**2
         power = drawn + self.shear_stiffness * self.h * shear**2
-        bent = self.EI * bending**2 / self.tributary_lengths
+        bent = self.bending_stiffness * bending**2 / self.tributary_lengths
         if time.is_scalar():
             return ca.vertsplit(time * (power + bent))
         edges = self._per_edge(time)

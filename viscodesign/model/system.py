@@ -222,12 +222,31 @@ class System:
     def let_shear(self, stiffness: SX) -> None:
         """Let cross sections turn against the axis; ``stiffness``: kappa G A [N].
 
-        The rod's symbols are new ones: nothing may have been said about the old ones.
+        Raises `ValueError` where something was said of the rod before.
         """
         self.discretisation = self.discretisation.shearable()
-        self.rod = self.discretisation.symbols(
-            replace(self._rod_parameters, shear_stiffness=stiffness)
-        )
+        self._renew_rod(replace(self._rod_parameters, shear_stiffness=stiffness))
+
+    def scale_stiffness(self, bending: SX | float = 1.0, extension: SX | float = 1.0) -> None:
+        """Multiply the stiffnesses of all sections of all rods by factors [1].
+
+        Curvature and stretch under pressure alone stay: they are stated as such. Raises
+        `ValueError` where something was said of the rod before.
+        """
+        self._renew_rod(self._rod_parameters.stiffened(SX(bending), SX(extension)))
+
+    def _renew_rod(self, parameters: RodParameters) -> None:
+        """Replace the rod's symbols: what was said of the old ones would be lost."""
+        masses = len(self.rod.masses())
+        self._rod_parameters = parameters
+        self.rod = self.discretisation.symbols(parameters)
+        sums = self.kinetic_energy, self.load_potential, self.dissipation_power
+        is_untouched = all(one.is_zero() for one in sums) and self.tip_moment.is_zero()
+        if not is_untouched or self.contacts or masses != len(self.rod.masses()):
+            raise ValueError(
+                "an effect that changes the rod's law must join before all that load it or hang "
+                "masses on it; give it an `order` below 5"
+            )
 
     def add_contact(
         self, name: str, gap: SX, along: SX, friction: SX, foot_radius: SX | None = None
