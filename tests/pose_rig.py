@@ -19,7 +19,6 @@ from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.pump.poses.fit import PoseFit, fit_poses
 from viscodesign.pump.poses.player import PosePlayer, split_at
 from viscodesign.pump.profile import Profile
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
@@ -79,7 +78,6 @@ class PoseRig:
             pump(travel=TRAVEL, sensor=None),
             self.ids,
             PressureReadings([None] * len(self.ids), 101_325.0),
-            Switches({}),
             self.clock,
         )
         self.wish = StopRequest()

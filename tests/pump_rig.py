@@ -20,7 +20,6 @@ from viscodesign.pump.bus.line import Line
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import OnStop, StreamResult, TickReport
 from viscodesign.pump.profile import Profile
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
@@ -139,7 +138,6 @@ class Rig:
             PressureReadings(
                 [lambda k=k: self._absolute(k) for k in range(len(self.ids))], AMBIENT
             ),
-            Switches.of(self.spec, self.ids),
             self.clock,
         )
         self.request = StopRequest()

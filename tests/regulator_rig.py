@@ -86,7 +86,7 @@ class RegulatorRig:
 
     def play(self) -> StreamResult:
         with self.link.gauges() as gauges:
-            self.pump = self.link.kind.connected_pump(self.link, gauges)
+            self.pump = self.link.connected_pump(gauges)
             self.pump.connect()
             self.stream = Stream(
                 self.pump, self.profile(), self.request, self.observe, rate=RATE,

@@ -33,7 +33,7 @@ def test_nothing_is_sent_before_it_is_armed_and_then_it_holds_what_it_has() -> N
     rig = RegulatorRig()
     rig.device.pressure, rig.device.set_point = 5e3, 51
     with rig.link.gauges() as gauges:
-        pump = rig.link.kind.connected_pump(rig.link, gauges)
+        pump = rig.link.connected_pump(gauges)
         pump.connect()
         pump.look()
         assert rig.set_points == []
@@ -158,6 +158,6 @@ def test_arming_never_raises_the_pressure(pressure: float, set_point: int) -> No
     rig = RegulatorRig()
     rig.device.pressure, rig.device.set_point = pressure, set_point
     with rig.link.gauges() as gauges:
-        rig.link.kind.connected_pump(rig.link, gauges).arm()
+        rig.link.connected_pump(gauges).arm()
     assert rig.set_points[0] * rig.spec.step <= 1.5 * pressure
     assert rig.set_points[0] <= set_point

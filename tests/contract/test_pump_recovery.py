@@ -22,7 +22,6 @@ from viscodesign.pump.kinds.servo import simulated_bench
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import RecordingError, StreamResult
 from viscodesign.pump.profile import Profile
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -112,7 +111,7 @@ def blocked(speed: float, cap: float, on_stop: str = "hold") -> tuple[StreamResu
     bench, clock = simulated_bench(spec), SteppedClock()
     board = Dynamixel(DirectLine(BusAdapter(bench), clock), [1])
     sensor = PressureReadings([lambda: 101_325.0 + float(bench.pressures[0])], 101_325.0)
-    pump = ServoPump(board, spec, [1], sensor, Switches({}), clock)
+    pump = ServoPump(board, spec, [1], sensor, clock)
     time = np.array([0.0, 600.0 / speed])
     profile = Profile(("inlet",), (1,), time, np.array([[200.0], [800.0]]), np.zeros((2, 1)))
     pump.connect()

@@ -26,7 +26,6 @@ from viscodesign.pump.kinds.servo import simulated_bench
 from viscodesign.pump.play.path import AROUND
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.profile import Profile
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.scene.pumps.servo import ServoPumpSpec as Settings
@@ -51,7 +50,7 @@ def blocked(kind: type[Board], fast: float, slow: float) -> float:
     )
     bench, clock = simulated_bench(spec), SteppedClock()
     board = kind(DirectLine(BusAdapter(bench), clock), [1])
-    pump = ServoPump(board, spec, [1], PressureReadings([None], 101_325.0), Switches({}), clock)
+    pump = ServoPump(board, spec, [1], PressureReadings([None], 101_325.0), clock)
     time = np.cumsum([0.0, 80 / fast, 80 / fast, 0.5, 600 / slow])
     counts = np.array([[200.0], [280.0], [200.0], [200.0], [800.0]])
     profile = Profile(("inlet",), (1,), time, counts, np.zeros((5, 1)))

@@ -24,7 +24,6 @@ from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.sensors.base import BoardAnalog
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 RATE = 30.0
@@ -55,7 +54,7 @@ def rehearsal() -> Rehearsal:
     line = ServoKind().simulated_line(scene.pump, 1, clock, plant, ambient)
     board = Simulated(line, planned.axes)
     gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
-    pump = ServoPump(board, scene.pump, planned.axes, gauges, Switches({}), clock)
+    pump = ServoPump(board, scene.pump, planned.axes, gauges, clock)
     rows: list[tuple[float, ...]] = []
 
     def see(shown: TickReport) -> None:

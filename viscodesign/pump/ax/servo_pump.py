@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from viscodesign.errors import PumpError
@@ -13,12 +12,11 @@ from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
-from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, FoundAxis
-from viscodesign.pump.play.pump import Pump, Speeds, Steps
-from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.play.pump import Pressed, Pump, Speeds, Steps
+from viscodesign.pump.sensors.limit_switches import pressed_switches
 from viscodesign.scene.pumps.servo import ServoPumpSpec
+from viscodesign.storage.cached_property import cached_property
 
 SLOWEST_SPEED = registers.SPEED_UNIT * registers.COUNTS_PER_TURN
 """Counts per second of one unit of the speed register."""
@@ -45,26 +43,24 @@ class ServoPump(Pump):
 
     board: Board
 
-    def __init__(
-        self,
-        board: Board,
-        settings: ServoPumpSpec,
-        servos: Sequence[int],
-        gauges: PressureReadings,
-        switches: Switches,
-        clock: Clock,
-    ) -> None:
-        limits = axis_limits(settings)
-        super().__init__(
-            board, settings, servos, limits, gauges, lambda: switches.read(board), clock
-        )
-        self.torque_limits = TorqueLimits()
+    @cached_property
+    def torque_limits(self) -> TorqueLimits:
+        """What is known of the limits in force; brought up to date by each reading."""
+        return TorqueLimits()
 
-    def _inspect(self) -> tuple[str, list[FoundAxis]]:
+    @cached_property
+    def limits(self) -> AxisLimits:
+        return axis_limits(self.settings)
+
+    def inspect(self) -> tuple[str, list[FoundAxis]]:
         identity = self.board.identify()
         found = [identify(self.board, servo) for servo in self.axes]
         self.positions = {servo.id: servo.state.position for servo in found}
         return identity, [servo.axis(self.settings) for servo in found]
+
+    def pressed(self) -> Pressed:
+        settings = self.settings if self.switches else None
+        return pressed_switches(self.board, settings, self.axes)
 
     def arm(self, speed: float = 0.0) -> None:
         """Torque on where each plunger stands; limits first, each read back."""

@@ -15,8 +15,8 @@ from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.consent import Confirm, ShowPosition, Tell
 from viscodesign.pump.planning.result import PumpPlan
-from viscodesign.pump.play.axis import AxisState, FinalAxisState, FoundAxis
-from viscodesign.pump.play.pump import Pressed, Pump
+from viscodesign.pump.play.axis import AxisState, FinalAxisState
+from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.poses.upload import PoseUpload
 from viscodesign.pump.sensors.base import BoardAnalog
 from viscodesign.pump.sensors.phidget import Phidget
@@ -81,6 +81,15 @@ class Connection:
         numbered = tuple(f"{self.kind.noun}{axis}" for axis in self.axes)
         return self.names or (("inlet",) if len(self.axes) == 1 else numbered)
 
+    def connected_pump(
+        self, gauges: PressureReadings | None = None, *, switches: bool = False
+    ) -> Pump:
+        """The pump behind the contract of `Pump`, by default without its sensors and switches."""
+        gauges = gauges or PressureReadings([None] * len(self.axes), self.ambient)
+        return self.kind.pump(
+            self.board, self.pump, self.axes, gauges, self.clock, switches=switches
+        )
+
     @contextlib.contextmanager
     def gauges(self) -> Iterator[PressureReadings]:
         """What measures the inlets' pressures: sensors of the spec, or the axes themselves."""
@@ -111,6 +120,8 @@ class PumpKind(ABC):
     """Word after `pump.kind`."""
     noun: ClassVar[str]
     """What an axis is called in messages and documents."""
+    pump: ClassVar[type[Pump]]
+    """What moves, reads and holds its axes."""
     poses: ClassVar[type[PoseUpload] | None] = None
     """What plays a whole profile without a computer, where something does."""
     no_reply: ClassVar[str] = ""
@@ -170,24 +181,6 @@ class PumpKind(ABC):
     @abstractmethod
     def answering(self, board: Any) -> Sequence[int]:
         """Ids of the axes that answer where no spec names them; writes nothing."""
-
-    @abstractmethod
-    def inspect(self, link: Connection) -> tuple[FoundAxis, ...]:
-        """All axes as they are; writes nothing."""
-
-    def pressed(self, link: Connection) -> Pressed:
-        """Limit switches that are pressed, by axis."""
-        return {}
-
-    @abstractmethod
-    def read(self, link: Connection) -> Mapping[int, AxisState]:
-        """States of all axes now; writes nothing."""
-
-    @abstractmethod
-    def connected_pump(
-        self, link: Connection, gauges: PressureReadings, *, monitored: bool = True
-    ) -> Pump:
-        """The pump, behind the contract of `Pump`; not ``monitored``: without limit switches."""
 
     @abstractmethod
     def motion_rows(self, plan: PumpPlan, pump: Any) -> list[tuple[str, str]]:

@@ -17,12 +17,12 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
 from viscodesign.pump.play.pump import Pump, Speeds, Steps
 from viscodesign.pump.play.verified import until_verified
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.pump.simulated.regulator import SimulatedRegulator
 from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT, RegulatorSpec
 from viscodesign.scene.scene import Scene
+from viscodesign.storage.cached_property import cached_property
 
 NOUN = "regulator"
 AXIS = 1  # the only one: its line is from one device to one computer
@@ -56,43 +56,38 @@ def axis_limits(pump: RegulatorSpec) -> AxisLimits:
     )
 
 
-def read_state(board: LineRegulator) -> AxisState:
-    """Outlet and set-point now; of its supply it says nothing."""
-    output, goal = board.outlet(), board.set_point()
-    return AxisState(True, goal, output, load=None, voltage=None, temperature=None)
-
-
-def found_regulator(board: LineRegulator, pump: RegulatorSpec | None) -> FoundAxis:
-    """It as it is; in steps where no spec names its full scale."""
-    state = read_state(board)
-    words = [
-        f"{n} of {HIGHEST_SET_POINT}" if pump is None else f"{n * pump.step / 1e3:.2f} kPa gauge"
-        for n in (state.goal, state.position)
-    ]
-    faults = []
-    if pump is not None and state.position * pump.step > pump.max_pressure:
-        faults = [
-            f"regulator {AXIS} is at {words[1]}, above pump.max_pressure, "
-            f"{pump.max_pressure / 1e3:g} kPa; vent it with `pump stop --release`"
-        ]
-    return FoundAxis(
-        AXIS,
-        {"id": f"{AXIS}", "set-point": words[0], "outlet": words[1]},
-        {"id": AXIS, "set_point_steps": state.goal, "outlet_steps": state.position},
-        faults,
-    )
-
-
 class RegulatorPump(Pump):
     """One regulator behind the contract of a pump."""
 
     reading_share = 0.5  # sending takes about as long as reading
     board: LineRegulator
 
-    def _inspect(self) -> tuple[str, list[FoundAxis]]:
-        identity, found = self.board.identify(), found_regulator(self.board, self.settings)
-        self.positions = {AXIS: self.board.output}
-        return identity, [found]
+    @cached_property
+    def limits(self) -> AxisLimits:
+        return axis_limits(self.settings)
+
+    def inspect(self) -> tuple[str, list[FoundAxis]]:
+        """It as it is; in steps where no spec names its full scale."""
+        identity, pump, state = self.board.identify(), self.settings, self._read()[AXIS]
+        words = [
+            f"{n} of {HIGHEST_SET_POINT}"
+            if pump is None
+            else f"{n * pump.step / 1e3:.2f} kPa gauge"
+            for n in (state.goal, state.position)
+        ]
+        faults = []
+        if pump is not None and state.position * pump.step > pump.max_pressure:
+            faults = [
+                f"regulator {AXIS} is at {words[1]}, above pump.max_pressure, "
+                f"{pump.max_pressure / 1e3:g} kPa; vent it with `pump stop --release`"
+            ]
+        cells = {"id": f"{AXIS}", "set-point": words[0], "outlet": words[1]}
+        document = {
+            "id": AXIS,
+            "set_point_steps": state.goal,
+            "outlet_steps": state.position,
+        }
+        return identity, [FoundAxis(AXIS, cells, document, faults)]
 
     def arm(self, speed: float = 0.0) -> None:
         """Let it hold the pressure that it has, or its set-point where that is lower."""
@@ -105,10 +100,11 @@ class RegulatorPump(Pump):
 
     def _read(self) -> Mapping[int, AxisState]:
         before = self.clock.now()
-        state = read_state(self.board)
+        output, goal = self.board.outlet(), self.board.set_point()
         self.read_at = (before + self.clock.now()) / 2
-        self.positions = {AXIS: state.position}
-        return {AXIS: state}
+        self.positions = {AXIS: output}
+        # Of its supply it says nothing.
+        return {AXIS: AxisState(True, goal, output, load=None, voltage=None, temperature=None)}
 
     def _send(self, goals: Steps, speeds: Speeds, paces: Speeds | None) -> None:
         self.board.set(goals[AXIS])
@@ -177,6 +173,7 @@ class RegulatorKind(PumpKind):
 
     name = "regulator"
     noun = NOUN
+    pump = RegulatorPump
     not_calibrated = (
         "a regulator has nothing to calibrate here: its zero and span are set at the device, and "
         "pump.full_scale states its range"
@@ -219,18 +216,6 @@ class RegulatorKind(PumpKind):
 
     def answering(self, board: LineRegulator) -> list[int]:
         return [AXIS]
-
-    def inspect(self, link: Connection) -> tuple[FoundAxis, ...]:
-        return (found_regulator(link.board, link.pump),)
-
-    def read(self, link: Connection) -> dict[int, AxisState]:
-        return {AXIS: read_state(link.board)}
-
-    def connected_pump(
-        self, link: Connection, gauges: PressureReadings, *, monitored: bool = True
-    ) -> RegulatorPump:
-        limits = axis_limits(link.pump)
-        return RegulatorPump(link.board, link.pump, (AXIS,), limits, gauges, dict, link.clock)
 
     def motion_rows(self, plan: PumpPlan, pump: RegulatorSpec) -> list[tuple[str, str]]:
         course, most = plan.achievable, axis_limits(pump).travel[1]

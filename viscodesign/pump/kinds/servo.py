@@ -7,11 +7,9 @@ from typing import ClassVar
 
 from viscodesign.plugins import members
 from viscodesign.pump.ax.hold import NOUN, stop_all
-from viscodesign.pump.ax.preflight import identify
 from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
 from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.servo_state import ServoState, read_servo
 from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, torque_limit
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.boards.simulated import Simulated, SimulatedArbotix
@@ -26,13 +24,10 @@ from viscodesign.pump.kinds.base import (
 )
 from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
 from viscodesign.pump.planning.result import PumpPlan
-from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
+from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.play.path import top_speed
-from viscodesign.pump.play.pump import Pressed
 from viscodesign.pump.plunger.plunger_course import range_rows
 from viscodesign.pump.poses.upload import PoseUpload
-from viscodesign.pump.sensors.limit_switches import Switches
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sensors.required_sensors import with_sensors
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
@@ -71,6 +66,7 @@ class ServoKind(PumpKind):
     name = "servo"
     order: ClassVar[int] = 0
     noun = NOUN
+    pump = ServoPump
     poses = PoseUpload
     no_reply = (
         "A move that the PyPose firmware plays cannot be interrupted: the halt acts when it is "
@@ -111,21 +107,6 @@ class ServoKind(PumpKind):
 
     def answering(self, board: Board) -> list[int]:
         return [servo for servo in SCANNED_IDS if board.answers(servo)]
-
-    def inspect(self, link: Connection) -> tuple[FoundAxis, ...]:
-        return tuple(identify(link.board, servo).axis(link.pump) for servo in link.axes)
-
-    def pressed(self, link: Connection) -> Pressed:
-        return Switches.of(link.pump, link.axes).read(link.board)
-
-    def read(self, link: Connection) -> dict[int, ServoState]:
-        return {servo: read_servo(link.board, servo) for servo in link.axes}
-
-    def connected_pump(
-        self, link: Connection, gauges: PressureReadings, *, monitored: bool = True
-    ) -> ServoPump:
-        switches = Switches.of(link.pump, link.axes) if monitored else Switches({})
-        return ServoPump(link.board, link.pump, link.axes, gauges, switches, link.clock)
 
     def motion_rows(self, plan: PumpPlan, pump: ServoPumpSpec) -> list[tuple[str, str]]:
         course = plan.achievable

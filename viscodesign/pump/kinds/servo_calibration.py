@@ -11,7 +11,6 @@ from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import read_position
 from viscodesign.pump.consent import Confirm, ShowPosition, require
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Connection
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pumps.servo import MAX_SERVO_COUNTS, ServoPumpSpec
 from viscodesign.scene.spec_part import copied
@@ -83,8 +82,8 @@ def _against_switches(link: Connection, pump: ServoPumpSpec, confirm: Confirm) -
         "first\nMove the plunger?",
     )
     free = copied(pump, {"travel": (0, MAX_SERVO_COUNTS)})
-    switches, no_sensor = Switches.of(pump, link.axes), PressureReadings([None], 0.0)
-    moved = ServoPump(link.board, free, link.axes, no_sensor, switches, link.clock)
+    no_sensor = PressureReadings([None], link.ambient)
+    moved = ServoPump(link.board, free, link.axes, no_sensor, link.clock)
     with stop_on_signals() as request:
         low, high = find_travel(moved, lambda: request.asked)
     return Calibration(low if pump.push == "up" else high, (low, high))

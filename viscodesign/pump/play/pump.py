@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 from viscodesign.errors import PumpError
@@ -38,18 +38,18 @@ class Pump(ABC):
         board: Any,
         settings: Any,
         axes: Sequence[int],
-        limits: AxisLimits,
         gauges: PressureReadings,
-        read_switches: Callable[[], Pressed],
         clock: Clock,
+        *,
+        switches: bool = True,
     ) -> None:
+        """``switches``: whether its limit switches are read, where it has some."""
         self.board = board  # a controller
-        self.settings = settings  # the section of its kind in a spec
+        self.settings = settings  # the section of its kind in a spec; None without a spec
         self.identity = ""  # what the board said of itself
         self.axes = tuple(axes)
-        self.limits = limits
         self.gauges = gauges
-        self.read_switches = read_switches
+        self.switches = switches
         self.clock = clock
         self.armed = False
         self.alarm: Stop | None = None
@@ -59,13 +59,18 @@ class Pump(ABC):
         self.reach = 1
         """Farthest that a target may lie from the one before [steps]: one tick's travel."""
 
+    @property
     @abstractmethod
-    def _inspect(self) -> tuple[str, list[FoundAxis]]:
+    def limits(self) -> AxisLimits:
+        """What its axes can do, and may; only with a spec."""
+
+    @abstractmethod
+    def inspect(self) -> tuple[str, list[FoundAxis]]:
         """What the board says of itself, and all axes as they are; changes nothing."""
 
     def connect(self) -> list[FoundAxis]:
         """Identify the board and all axes; raises `PumpError` where they must not move."""
-        self.identity, found = self._inspect()
+        self.identity, found = self.inspect()
         faults = [fault for axis in found for fault in axis.faults]
         if faults:
             raise PumpError("\n".join(["nothing has moved:", *faults]))
@@ -101,7 +106,11 @@ class Pump(ABC):
     def look(self) -> tuple[Mapping[int, AxisState], tuple[float | None, ...], Pressed]:
         """Axes, pressures [Pa gauge] and pressed switches, read now."""
         states = self._read()
-        return states, self.gauges.read(), self.read_switches()
+        return states, self.gauges.read(), self.pressed()
+
+    def pressed(self) -> Pressed:
+        """Limit switches that are pressed."""
+        return {}
 
     def set_goals(self, goals: Steps, speeds: Speeds, paces: Speeds | None = None) -> None:
         """Send the next targets [steps], one transaction for all where the family can.

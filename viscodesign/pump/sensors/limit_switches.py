@@ -2,37 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.controller import Controller
 from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pumps.servo import LimitSwitchSpec, ServoPumpSpec
+from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 
-class Switches:
-    """The two limit switches of each servo that has them."""
+def pressed_switches(
+    board: Controller, pump: ServoPumpSpec | None, servos: Sequence[int]
+) -> dict[int, frozenset[str]]:
+    """By servo that has switches: the ends ('low', 'high') whose switch is pressed.
 
-    def __init__(self, settings: Mapping[int, LimitSwitchSpec]) -> None:
-        self._settings = dict(settings)
-
-    @classmethod
-    def of(cls, pump: ServoPumpSpec, servos: Sequence[int]) -> Switches:
-        """Those of a spec, for servos in the order of their inlets."""
-        pairs = zip(servos, each(pump.limit_switches, len(servos)), strict=True)
-        return cls({servo: switches for servo, switches in pairs if switches is not None})
-
-    def read(self, board: Controller) -> dict[int, frozenset[str]]:
-        """By servo: the ends ('low', 'high') whose switch is pressed, or its wire broken."""
-        # Pins are pulled up: an open circuit reads high.
-        return {
-            servo: frozenset(
-                end
-                for end, pin in (("low", pair.low), ("high", pair.high))
-                if _level(board, pin) == (pair.normally == "closed")
-            )
-            for servo, pair in self._settings.items()
-        }
+    A broken wire counts as pressed. ``servos``: ids in the order of the spec's inlets.
+    """
+    if pump is None:
+        return {}
+    # Pins are pulled up: an open circuit reads high.
+    return {
+        servo: frozenset(
+            end
+            for end, pin in (("low", pair.low), ("high", pair.high))
+            if _level(board, pin) == (pair.normally == "closed")
+        )
+        for servo, pair in zip(servos, each(pump.limit_switches, len(servos)), strict=True)
+        if pair is not None
+    }
 
 
 def _level(board: Controller, pin: str) -> bool:

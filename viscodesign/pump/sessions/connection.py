@@ -15,8 +15,6 @@ from viscodesign.pump.bus.line import Line
 from viscodesign.pump.consent import Confirm, Tell, ignore, require
 from viscodesign.pump.kinds.base import Connection, PumpKind
 from viscodesign.pump.planning.demand_kinds import pump_of
-from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.sessions.board_names import board_kind, kind_behind
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.scene.pumps.base import PumpSpec
@@ -133,12 +131,6 @@ def connected(
                 link.board.line.close()
     finally:
         log.close()
-
-
-def unmonitored_pump(link: Connection) -> Pump:
-    """The pump of a connection, without its sensors and switches."""
-    none = PressureReadings([None] * len(link.axes), link.ambient)
-    return link.kind.connected_pump(link, none, monitored=False)
 
 
 def _known(

@@ -14,7 +14,7 @@ from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.play.stream_result import OnStop
 from viscodesign.pump.poses.upload import Playback
 from viscodesign.pump.sessions.board_names import board_kind, kind_of
-from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, unmonitored_pump
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
 from viscodesign.pump.sessions.uploading import UploadSession
@@ -63,7 +63,7 @@ def rehearse(
 def rehearse_stream(session: StreamSession) -> Rehearsal:
     """The plan, and the packets that would set something."""
     link, line = _simulated_link(session.kind, session.scene)
-    pump = unmonitored_pump(link)
+    pump = link.connected_pump()
     stream = session.stream_on(pump, StopRequest(), lambda tick: None)
     pump.connect()
     result = stream.play()
@@ -83,7 +83,7 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
 def rehearse_upload(session: UploadSession) -> Rehearsal:
     """The plan and the packets, those on the way to the start only counted."""
     link, line = _simulated_link(kind_of(session.scene), session.scene, poses=True)
-    pump, poses, request = unmonitored_pump(link), session.poses, StopRequest()
+    pump, poses, request = link.connected_pump(), session.poses, StopRequest()
 
     def end_after_one_round(elapsed: float) -> None:
         if poses.fit.looped and elapsed > poses.fit.duration:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from viscodesign.pump.consent import Tell, ignore
 from viscodesign.pump.kinds.base import Connection
 from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
 from viscodesign.pump.play.listening import listen
+from viscodesign.pump.play.pump import Pressed
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.record_file import recorded
 from viscodesign.scene.scene import Scene
@@ -64,21 +65,21 @@ def status(
 ) -> PumpStatus:
     """Read the axes that answer, and with a scene its sensors and switches; writes nothing."""
     with connected(address, scene, tell=tell) as link:
-        identity, noun = link.board.identify(), link.kind.noun
-        axes = link.kind.inspect(link)
+        identity, axes = link.connected_pump().inspect()
+        found = PumpStatus(address, identity, link.kind.noun, tuple(axes), link.inlets)
         if link.pump is None:
-            return PumpStatus(address, identity, noun, axes, link.inlets)
+            return found
         with link.gauges() as gauges:
-            pressure = gauges.read()
+            _, pressure, pressed = link.connected_pump(gauges, switches=True).look()
         objections = tuple(reason for axis in axes for reason in axis.faults)
-        return PumpStatus(
-            address, identity, noun, axes, link.inlets, pressure, _pressed(link), objections
+        return replace(
+            found, pressure=pressure, pressed=_names(link, pressed), objections=objections
         )
 
 
-def _pressed(link: Connection) -> tuple[str, ...]:
+def _names(link: Connection, ends: Pressed) -> tuple[str, ...]:
     """Switches that are pressed; their inlets are named where there are several."""
-    ends, names = link.kind.pressed(link), dict(zip(link.axes, link.inlets, strict=True))
+    names = dict(zip(link.axes, link.inlets, strict=True))
     return tuple(
         f"{names[axis]} {end}" if len(names) > 1 else end
         for axis in ends
@@ -137,9 +138,7 @@ def record(
         ):
             how: Any = {"rate": rate, "duration": duration}
             try:
-                ticks = listen(
-                    lambda: link.kind.read(link), gauges, link.clock, request, file.add, **how
-                )
+                ticks = listen(link.connected_pump(gauges), request, file.add, **how)
             except PumpError as error:
                 file.state("stopped", reason=str(error))
                 raise

@@ -132,7 +132,7 @@ class StreamSession:
         }
         tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_POSE)}
         with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
-            pump = self.kind.connected_pump(link, gauges)
+            pump = link.connected_pump(gauges, switches=True)
             unit, limits = pump.limits.unit, pump.limits
             calibration = {f"home_{unit}": limits.home, f"travel_{unit}": list(limits.travel)}
             facts["calibration"] = calibration

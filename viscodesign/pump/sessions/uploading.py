@@ -12,12 +12,7 @@ from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.poses.upload import Playback, PoseUpload
 from viscodesign.pump.sessions import reports
 from viscodesign.pump.sessions.board_names import board_kind, boards, kind_of
-from viscodesign.pump.sessions.connection import (
-    SIMULATED,
-    BoardAddress,
-    connected,
-    unmonitored_pump,
-)
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.reports import PlaybackReport
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
@@ -106,7 +101,7 @@ class UploadSession:
         plant = ActuatorPlant(self.scene) if address.simulated else None
         document = self.poses.document()
         with connected(address, self.scene, plant, tell, poses=True) as link:
-            pump = unmonitored_pump(link)
+            pump = link.connected_pump()
             found = pump.connect()
             lines = [*self.description(), *reports.found_lines(pump.identity, found)]
             link.log.event("found", lines=lines, fit=document)

@@ -14,7 +14,6 @@ from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.simulated import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.sensors.limit_switches import Switches
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
@@ -45,7 +44,6 @@ class Bed:
             free,
             [1],
             PressureReadings([None], 0.0),
-            Switches.of(spec, [1]),
             self.clock,
         )
 
