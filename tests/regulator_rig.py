@@ -13,7 +13,7 @@ from viscodesign.pump.boards.line_regulator import LineRegulator
 from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import RecordingLine
-from viscodesign.pump.kinds.base import Connection
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.regulator import RegulatorKind
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import OnStop, StreamResult, TickReport

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+
+Playback = Literal["none", "once", "loop"]
+"""What a board does by itself with a profile once it has it."""
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ MODULES = sorted(
 )
 COMMANDS = sorted((ROOT / "viscodesign" / "cli" / "pump").glob("*.py"))
 FAMILIES = re.compile(
-    r"viscodesign\.(pump\.(ax|plunger|drive|kinds\.(?!base))|scene\.pumps\.servo)"
+    r"viscodesign\.(pump\.(ax|plunger|drive|kinds\.(?!base|connection))|scene\.pumps\.servo)"
 )
 EXAMPLES = {
     ("demand_kinds", "servo: ax18a"),  # what a spec without a pump may add

@@ -13,7 +13,8 @@ from viscodesign.errors import UsageError
 from viscodesign.report.picture_options import PictureOptions, picture_options
 
 if TYPE_CHECKING:
-    from viscodesign.pump.poses.upload import Playback, PoseUpload
+    from viscodesign.pump.kinds.base import ProfileUpload
+    from viscodesign.pump.profile import Playback
 
 EXAMPLE = """\b
 Examples:
@@ -126,7 +127,7 @@ def _refuse_options(play: bool, loop: bool, has_target: bool) -> None:
 
 
 def _write(
-    poses: PoseUpload,
+    poses: ProfileUpload,
     export: Path | None,
     picture: Path | None,
     pictures: PictureOptions,

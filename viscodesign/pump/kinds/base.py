@@ -1,31 +1,28 @@
-"""What a kind of pump must provide, and the open connection that it works on."""
+"""What a kind of pump must provide."""
 
 from __future__ import annotations
 
-import contextlib
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, ClassVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar, Protocol
 
 from viscodesign.errors import UsageError
+from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.boards.controller import Controller
-from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.consent import Confirm, ShowPosition, Tell
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import AxisState, FinalAxisState
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.poses.upload import PoseUpload
-from viscodesign.pump.sensors.base import BoardAnalog
-from viscodesign.pump.sensors.phidget import Phidget
-from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.play.stream_result import StreamResult
+from viscodesign.pump.profile import Playback
 from viscodesign.pump.simulated.plant import Plant
-from viscodesign.scene.per_inlet import each
-from viscodesign.scene.pumps.base import PumpSpec, SensorSpec
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
-from viscodesign.storage.cached_property import cached_property
+from viscodesign.simulation.solve_once import Progress
 
 Channels = Mapping[tuple[str, str], Callable[[AxisState, int], float | None]]
 """Quantity and unit of each axis' columns in a record, with what gives its value."""
@@ -54,60 +51,51 @@ class CalibrationRequest:
     tell: Tell = lambda message: None
 
 
-@dataclass(frozen=True)
-class Connection:
-    """An open board, and what is known of the pump behind it."""
+class ProfileUpload(Protocol):
+    """One profile, fitted to what a board plays by itself, and ready to be loaded."""
 
-    kind: PumpKind
-    board: Any  # a controller of that kind
-    log: ByteLog
-    clock: Clock
-    pump: Any  # the spec's section; None without a spec
-    ambient: float
-    """Absolute [Pa]."""
-    names: tuple[str, ...]
-    """Names of the inlets; empty where no spec names them."""
+    fit: Any
+    """The fit, as `viscodesign.pump.report.fit_chart` draws it."""
+    plan: PumpPlan
+    playback: Playback
 
-    @cached_property
-    def axes(self) -> tuple[int, ...]:
-        """Ids of the spec's axes; without a spec, of all that answer."""
-        if self.pump is not None:
-            return tuple(self.pump.axes(len(self.names)))
-        return tuple(self.kind.answering(self.board))
+    def __init__(
+        self,
+        plan: PumpPlan,
+        settings: Any,
+        tolerance: str,
+        playback: Playback,
+        achievable: bool,
+        progress: Progress | None,
+    ) -> None:
+        """Fit a plan; opens no port. `PumpError` where the fit is too coarse.
+
+        ``settings``: the pump's section; ``tolerance`` as for `viscodesign.pump.upload`.
+        """
 
     @property
-    def inlets(self) -> tuple[str, ...]:
-        """One name per axis."""
-        numbered = tuple(f"{self.kind.noun}{axis}" for axis in self.axes)
-        return self.names or (("inlet",) if len(self.axes) == 1 else numbered)
+    def duration(self) -> float:
+        """From the start of the profile to its end, or of one round [s]."""
 
-    def connected_pump(
-        self, gauges: PressureReadings | None = None, *, switches: bool = False
-    ) -> Pump:
-        """The pump behind the contract of `Pump`, by default without its sensors and switches."""
-        gauges = gauges or PressureReadings([None] * len(self.axes), self.ambient)
-        return self.kind.pump(
-            self.board, self.pump, self.axes, gauges, self.clock, switches=switches
-        )
+    def rows(self) -> list[tuple[str, str]]:
+        """What is about to be played, for people: headings and sentences."""
 
-    @contextlib.contextmanager
-    def gauges(self) -> Iterator[PressureReadings]:
-        """What measures the inlets' pressures: sensors of the spec, or the axes themselves."""
-        known = self.pump is not None and (self.board.has_pins or not self.board.simulated)
-        sensors = each(self.pump.sensor if known else None, len(self.inlets))
-        with contextlib.ExitStack() as opened:
-            reads = [
-                self.kind.own_gauge(self, axis) if sensor is None else self._source(sensor, opened)
-                for axis, sensor in zip(self.axes, sensors, strict=True)
-            ]
-            own = [k for k, sensor in enumerate(sensors) if sensor is None]
-            yield PressureReadings(reads, self.ambient, self.inlets, exact=own)
+    def document(self) -> dict[str, Any]:
+        """The same for a program."""
 
-    def _source(self, sensor: SensorSpec, opened: contextlib.ExitStack) -> Callable[[], float]:
-        on_board = self.board.has_pins if sensor.on == "auto" else sensor.on == "board"
-        source = BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
-        opened.callback(source.close)
-        return source.absolute
+    def header(self) -> str:
+        """The text of a C header, for a sketch that needs no computer."""
+
+    def play_on(
+        self, pump: Pump, request: StopRequest, tell: Tell, see: Callable[[float], None]
+    ) -> StreamResult | None:
+        """Load it with a connected pump and play it; None where it is to be loaded only.
+
+        ``see`` is given the time that has been played [s].
+        """
+
+    def sent_lines(self, sent: Sequence[bytes]) -> list[str]:
+        """What went over the line, for people."""
 
 
 class PumpKind(ABC):
@@ -122,7 +110,7 @@ class PumpKind(ABC):
     """What an axis is called in messages and documents."""
     pump: ClassVar[type[Pump]]
     """What moves, reads and holds its axes."""
-    poses: ClassVar[type[PoseUpload] | None] = None
+    poses: ClassVar[type[ProfileUpload] | None] = None
     """What plays a whole profile without a computer, where something does."""
     no_reply: ClassVar[str] = ""
     """What a user has to know of a board that does not stream, and does not answer a stop."""

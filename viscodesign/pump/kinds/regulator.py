@@ -11,7 +11,8 @@ from viscodesign.pump.boards.controller import Controller
 from viscodesign.pump.boards.line_regulator import LineRegulator, SimulatedLineRegulator
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.kinds.base import Channels, Connection, PumpKind
+from viscodesign.pump.kinds.base import Channels, PumpKind
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis

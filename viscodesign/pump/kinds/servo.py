@@ -15,13 +15,8 @@ from viscodesign.pump.boards.base import Board
 from viscodesign.pump.boards.simulated import Simulated, SimulatedArbotix
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
-from viscodesign.pump.kinds.base import (
-    Calibration,
-    CalibrationRequest,
-    Channels,
-    Connection,
-    PumpKind,
-)
+from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Channels, PumpKind
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import FinalAxisState

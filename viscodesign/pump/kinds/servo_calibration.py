@@ -10,7 +10,8 @@ from viscodesign.pump.ax.preflight import EepromChange, changes, id_change, iden
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import read_position
 from viscodesign.pump.consent import Confirm, ShowPosition, require
-from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Connection
+from viscodesign.pump.kinds.base import Calibration, CalibrationRequest
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pumps.servo import MAX_SERVO_COUNTS, ServoPumpSpec
 from viscodesign.scene.spec_part import copied

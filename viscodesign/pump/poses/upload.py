@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, get_args
+from typing import Any, get_args
 
 import numpy as np
 
@@ -25,11 +25,9 @@ from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import fit_poses
 from viscodesign.pump.poses.fit_error import FitError, Tolerance
 from viscodesign.pump.poses.player import PosePlayer, by_servo, playing_speed, split_at
+from viscodesign.pump.profile import Playback
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.simulation.solve_once import Progress
-
-Playback = Literal["none", "once", "loop"]
-"""What the board does with the poses once it has them."""
 
 
 class PoseUpload:
@@ -67,6 +65,11 @@ class PoseUpload:
         stiffness = [1e3 * each["kpa_per_count_fast"] for each in numbers]
         self.error = FitError.of(self.fit, numbers[0]["volume_per_count_m3"], stiffness)
         self.tolerance.refuse(self.fit, self.error)
+
+    @property
+    def duration(self) -> float:
+        """From the start of the profile to its end, or of one round [s]."""
+        return self.fit.duration
 
     def rows(self) -> list[tuple[str, str]]:
         """What is about to be played, each number with its unit."""

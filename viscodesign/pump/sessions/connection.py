@@ -13,7 +13,8 @@ from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
 from viscodesign.pump.bus.clock import Clock, PacedClock, SteppedClock, WallClock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.consent import Confirm, Tell, ignore, require
-from viscodesign.pump.kinds.base import Connection, PumpKind
+from viscodesign.pump.kinds.base import PumpKind
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.sessions.board_names import board_kind, kind_behind
 from viscodesign.pump.simulated.plant import AMBIENT, Plant

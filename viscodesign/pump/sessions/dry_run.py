@@ -9,10 +9,11 @@ from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.bus.line import RecordingLine
 from viscodesign.pump.consent import ignore
-from viscodesign.pump.kinds.base import Connection, PumpKind
+from viscodesign.pump.kinds.base import PumpKind
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.play.stream_result import OnStop
-from viscodesign.pump.poses.upload import Playback
+from viscodesign.pump.profile import Playback
 from viscodesign.pump.sessions.board_names import board_kind, kind_of
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress
 from viscodesign.pump.sessions.reports import result_lines
@@ -86,7 +87,7 @@ def rehearse_upload(session: UploadSession) -> Rehearsal:
     pump, poses, request = link.connected_pump(), session.poses, StopRequest()
 
     def end_after_one_round(elapsed: float) -> None:
-        if poses.fit.looped and elapsed > poses.fit.duration:
+        if poses.playback == "loop" and elapsed > poses.duration:
             request.times, request.first = 1, "dry run"
 
     pump.connect()

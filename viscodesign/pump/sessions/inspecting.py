@@ -12,7 +12,7 @@ from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.consent import Tell, ignore
-from viscodesign.pump.kinds.base import Connection
+from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
 from viscodesign.pump.play.listening import listen
 from viscodesign.pump.play.pump import Pressed

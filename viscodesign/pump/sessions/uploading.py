@@ -5,11 +5,11 @@ from __future__ import annotations
 from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.pump.consent import Confirm, Tell, ignore
-from viscodesign.pump.kinds.base import PumpKind
+from viscodesign.pump.kinds.base import ProfileUpload, PumpKind
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
-from viscodesign.pump.poses.upload import Playback, PoseUpload
+from viscodesign.pump.profile import Playback
 from viscodesign.pump.sessions import reports
 from viscodesign.pump.sessions.board_names import board_kind, boards, kind_of
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
@@ -55,7 +55,7 @@ def refuse_board(name: str, scene: Scene) -> None:
         )
 
 
-def _poses_of(kind: PumpKind) -> type[PoseUpload]:
+def _poses_of(kind: PumpKind) -> type[ProfileUpload]:
     if kind.poses is None:
         raise UsageError(
             f"a pump of kind {kind.name} plays no profile by itself, so there is nothing to upload "
@@ -79,7 +79,7 @@ class UploadSession:
         self.scene, self.settings = scene, pump_of(scene)
         fitted = _poses_of(kind_of(scene))
         plan = plan_pump(scene, progress=progress)
-        self.poses = fitted(plan, self.settings, tolerance, playback, achievable, progress)  # type: ignore[arg-type]
+        self.poses = fitted(plan, self.settings, tolerance, playback, achievable, progress)
 
     def description(self) -> list[str]:
         """What is about to be played, each number with its unit."""
@@ -110,7 +110,7 @@ class UploadSession:
             else:
                 address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
             with stop_on_signals(stop) as request:
-                round_s = self.poses.fit.duration
+                round_s = self.poses.duration
                 see = lambda elapsed: on_round(elapsed % round_s / round_s)  # noqa: E731
                 result = self.poses.play_on(pump, request, tell, see)
             if result is not None:
