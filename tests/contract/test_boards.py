@@ -55,6 +55,11 @@ def connected(name: str, pump: SimulatedBench, trouble: Sequence[Fault] = ()) ->
     return BOARD_KINDS[name](DirectLine(device, stepped()), [1, 2])
 
 
+def value(board: Board, servo: int, register: Register) -> int:
+    """A register's value; raises where the servo reports an error."""
+    return register.decode(board.read(servo, register.address, register.size))
+
+
 def wait(board: Board, seconds: float) -> None:
     board.line.clock.sleep(seconds)
     board.line.drain()
@@ -94,13 +99,13 @@ def test_it_reads_and_writes_and_changes_nothing_else(name: str) -> None:
     pump = bench(1, 2)
     board = connected(name, pump)
     board.identify()
-    for register, value in TRUTH:
-        assert board.get(1, register) == value
+    for register, true in TRUTH:
+        assert value(board, 1, register) == true
     before = bytes(pump.servos[0].memory)
     board.set(1, registers.TORQUE_LIMIT, 500)
     board.set(2, registers.LED, 1)
-    assert board.get(1, registers.TORQUE_LIMIT) == 500
-    assert board.get(2, registers.LED) == 1
+    assert value(board, 1, registers.TORQUE_LIMIT) == 500
+    assert value(board, 2, registers.LED) == 1
     wait(board, 0.1)
     after = bytes(pump.servos[0].memory)
     assert {i for i in range(registers.END) if before[i] != after[i]} == {34, 35}
@@ -115,8 +120,8 @@ def test_it_moves_all_servos(name: str) -> None:
     wait(board, 0.3)
     assert [servo.get(registers.MOVING_SPEED) for servo in pump.servos] == [100, 50]
     wait(board, 2.0)
-    assert board.get(1, registers.PRESENT_POSITION) == pytest.approx(260, abs=5)
-    assert board.get(2, registers.PRESENT_POSITION) == pytest.approx(240, abs=5)
+    assert value(board, 1, registers.PRESENT_POSITION) == pytest.approx(260, abs=5)
+    assert value(board, 2, registers.PRESENT_POSITION) == pytest.approx(240, abs=5)
     board.halt()
 
 
@@ -142,7 +147,7 @@ def test_goals_that_cannot_be_are_refused(count: int, speed: int) -> None:
 def test_a_missing_servo_is_reported(name: str) -> None:
     board = connected(name, bench(1, 2))
     for action in (
-        lambda: board.get(9, registers.PRESENT_POSITION),
+        lambda: value(board, 9, registers.PRESENT_POSITION),
         lambda: board.set(9, registers.LED, 1),
     ):
         with pytest.raises(PumpError, match="9"):
@@ -155,9 +160,9 @@ def test_an_overload_is_told_and_stays(name: str) -> None:
     board = connected(name, pump)
     pump.servos[0].alarm(ErrorBits.OVERLOAD)
     with pytest.raises(PumpError, match="torque is already off"):
-        board.get(1, registers.PRESENT_POSITION)
+        value(board, 1, registers.PRESENT_POSITION)
     assert pump.servos[0].get(registers.TORQUE_LIMIT) == 0
-    assert board.get(2, registers.PRESENT_POSITION) == HOME
+    assert value(board, 2, registers.PRESENT_POSITION) == HOME
 
 
 @pytest.mark.parametrize("name", BOARDS)
@@ -166,12 +171,12 @@ def test_a_brown_out_is_told(name: str) -> None:
     board = connected(name, pump)
     pump.supply(5.5)
     with pytest.raises(PumpError, match="voltage"):
-        board.get(1, registers.PRESENT_POSITION)
+        value(board, 1, registers.PRESENT_POSITION)
     pump.supply(4.0)
     with pytest.raises(PumpError, match="did not answer"):
-        board.get(1, registers.PRESENT_POSITION)
+        value(board, 1, registers.PRESENT_POSITION)
     pump.supply(12.0)
-    assert board.get(1, registers.PRESENT_POSITION) == HOME
+    assert value(board, 1, registers.PRESENT_POSITION) == HOME
 
 
 # -- pins -------------------------------------------------------------------------------------
@@ -251,12 +256,12 @@ def session(board: Board) -> list[str]:
             assert got == right
 
     for servo in (1, 2):
-        for register, value in TRUTH:
-            attempt(lambda s=servo, r=register: board.get(s, r), value)
+        for register, true in TRUTH:
+            attempt(lambda s=servo, r=register: value(board, s, r), true)
     attempt(lambda: board.set(1, registers.TORQUE_LIMIT, 500), None)
     if not told:
-        attempt(lambda: board.get(1, registers.TORQUE_LIMIT), 500)
-    attempt(lambda: board.get(2, registers.TORQUE_LIMIT), 983)
+        attempt(lambda: value(board, 1, registers.TORQUE_LIMIT), 500)
+    attempt(lambda: value(board, 2, registers.TORQUE_LIMIT), 983)
     attempt(lambda: board.read(2, 36, 8)[:2], HOME.to_bytes(2, "little"))
     return told
 
@@ -314,4 +319,4 @@ def test_a_move_that_was_lost_shows_in_the_positions(name: str) -> None:
     board = connected(name, pump, [faults.LostRequest()])
     board.move({1: Goal(300, 100)})
     wait(board, 1.0)
-    assert board.get(1, registers.PRESENT_POSITION) == HOME
+    assert value(board, 1, registers.PRESENT_POSITION) == HOME

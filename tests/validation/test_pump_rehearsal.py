@@ -15,7 +15,7 @@ from tests.scenes import CONFIGS
 from viscodesign import load
 from viscodesign.interrupt import StopRequest
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.boards.simulated import Simulated
+from viscodesign.pump.boards.arbotix_ros import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.kinds.servo import ServoKind
 from viscodesign.pump.planning.plan import plan

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.transactions import ServoError
-from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
+from viscodesign.pump.ax.servo_state import ServoState, read_servo
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import FinalAxisState
@@ -96,7 +96,7 @@ def _held(goal: int, state: ServoState) -> tuple[str, bool]:
 def _release(board: Board, servo: int) -> FinalAxisState:
     words, verified = "torque is off, verified", True
     try:
-        write_register(board, servo, registers.TORQUE_ENABLE, 0)
+        board.set(servo, registers.TORQUE_ENABLE, 0, read_back=True)
     except ServoError as fault:
         words, verified = f"torque off was sent; {fault}", False
     except PumpError as error:

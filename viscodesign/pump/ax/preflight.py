@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.registers import Register
-from viscodesign.pump.ax.servo_state import ServoState, read_anyway, read_servo
+from viscodesign.pump.ax.servo_state import ServoState, read_servo
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.play.axis import FoundAxis
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -75,7 +75,7 @@ class FoundServo:
 
 def identify(board: Board, servo: int) -> FoundServo:
     """Read what a servo is and its state; changes nothing."""
-    data, _ = read_anyway(board, servo, 0, IDENTITY)
+    data, _ = board.read_anyway(servo, 0, IDENTITY)
     return FoundServo(
         id=servo,
         model=registers.MODEL.within(data, 0),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import replace
 
 from viscodesign.errors import PumpError
@@ -9,7 +10,7 @@ from viscodesign.pump.ax.hold import HOLD_SPEED, NOUN, hold, release
 from viscodesign.pump.ax.preflight import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE, identify
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_drive import ServoDrive
-from viscodesign.pump.ax.servo_state import ServoState, read_servo, write_register
+from viscodesign.pump.ax.servo_state import ServoState, read_servo
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, FoundAxis
@@ -72,19 +73,20 @@ class ServoPump(Pump):
         # Where moves bring limits of their own along, that of a plunger at rest is enough.
         limit = torque_limit(self.settings, 0.0 if self.board.limits_torque else speed)
         self.board.hurry()
+        surely = functools.partial(self.board.set, read_back=True)
         for servo in self.axes:
             state = self._healthy(servo)
             position = state.position
             # A servo that strained against this very limit may shut itself off just now, and a
             # write would give it its torque back.
             if state.torque_limit != limit:
-                write_register(self.board, servo, registers.TORQUE_LIMIT, limit)
-            write_register(self.board, servo, registers.MOVING_SPEED, HOLD_SPEED)
+                surely(servo, registers.TORQUE_LIMIT, limit)
+            surely(servo, registers.MOVING_SPEED, HOLD_SPEED)
             # Some firmwares switch the torque on by this, so it comes behind both limits. Without
             # torque a servo's goal follows its position, so only with it is the goal checked.
             self.armed = True
             self.board.set(servo, registers.GOAL_POSITION, position)
-            write_register(self.board, servo, registers.TORQUE_ENABLE, 1)
+            surely(servo, registers.TORQUE_ENABLE, 1)
             self.goals[servo] = self.positions[servo] = self._armed_goal(servo, position, limit)
 
     def _healthy(self, servo: int) -> ServoState:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, meaning
 from viscodesign.pump.ax.protocol.registers import Register
-from viscodesign.pump.ax.protocol.transactions import ServoError
 from viscodesign.pump.boards.base import Board
 from viscodesign.pump.play.axis import AxisState
 
@@ -43,7 +41,7 @@ class ServoState(AxisState):
 
 def read_servo(board: Board, servo: int) -> ServoState:
     """A servo's state; raises where no registers came, whatever its error bits say."""
-    data, errors = read_anyway(board, servo, STATE_ADDRESS, STATE_LENGTH)
+    data, errors = board.read_anyway(servo, STATE_ADDRESS, STATE_LENGTH)
 
     def value(register: Register) -> int:
         return register.within(data, STATE_ADDRESS)
@@ -61,32 +59,6 @@ def read_servo(board: Board, servo: int) -> ServoState:
     )
 
 
-def read_anyway(board: Board, servo: int, address: int, count: int) -> tuple[bytes, ErrorBits]:
-    """Registers and error bits; raises where no registers came."""
-    try:
-        return board.read(servo, address, count), NO_ERRORS
-    except ServoError as fault:
-        if len(fault.data) != count:
-            raise
-        return fault.data, fault.errors
-
-
-def read_register(board: Board, servo: int, register: Register) -> int:
-    """One register, whatever the error bits say."""
-    data, _ = read_anyway(board, servo, register.address, register.size)
-    return register.decode(data)
-
-
-def read_position(board: Board, servo: int) -> int:
+def position_of(board: Board, servo: int) -> int:
     """Where a servo is [counts], whatever its error bits say."""
-    return read_register(board, servo, registers.PRESENT_POSITION)
-
-
-def write_register(board: Board, servo: int, register: Register, value: int) -> None:
-    """Set one register and read it back, whatever the board has seen of it."""
-    board.set(servo, register, value)
-    if (held := read_register(board, servo, register)) != value:
-        raise PumpError(
-            f"servo {servo}: {register.name} was set to {value}, but reads {held}; "
-            "switch the servo off and on, and check its supply and cable"
-        )
+    return board.get(servo, registers.PRESENT_POSITION)

@@ -43,14 +43,14 @@ class Arbotix(Board):
     boot = 2.0
     patience = 0.5
 
-    def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
-        super().__init__(line, servos)
+    def __init__(self, line: Line, axes: Sequence[int] = ()) -> None:
+        super().__init__(line, axes)
         self._speeds: dict[int, int] = {}  # moving speeds that were last sent
 
-    def identify(self) -> str:
+    def _identity(self) -> str:
         request = packets.read(ARBOTIX, registers.MODEL.address, registers.MODEL.size)
         try:
-            reply = self.wire.ask(request, 2, 0)
+            reply = self.ask(request, 2, 0)
         except NoReplyError as error:
             raise PumpError(
                 f"no ArbotiX answers at {self.baud} baud: {error} It may also be playing poses, "
@@ -69,7 +69,7 @@ class Arbotix(Board):
 
     def hello(self) -> None:
         """Check that the board listens, and is at the beginning of a packet."""
-        self.wire.ping(ARBOTIX)
+        self.ping(ARBOTIX)
 
     def read(self, servo: int, address: int, count: int) -> bytes:
         if count > LONGEST_READ:
@@ -77,13 +77,13 @@ class Arbotix(Board):
                 f"servo {servo}: {count} bytes at once; the PyPose firmware reads {LONGEST_READ}"
             )
         try:
-            return self.wire.read(servo, address, count)
+            return super().read(servo, address, count)
         except ServoError as fault:
             if fault.errors != ErrorBits.INSTRUCTION:
                 raise
             # No servo says that of a read: it is the board, of packets that came broken.
             self.hello()
-            return self.wire.read(servo, address, count)
+            return super().read(servo, address, count)
 
     def write(self, servo: int, address: int, data: bytes) -> None:
         if not 1 <= len(data) <= LONGEST_WRITE:
@@ -96,8 +96,8 @@ class Arbotix(Board):
         if address != registers.GOAL_POSITION.address:
             self.verify(servo, address, data)
 
-    def answers(self, servo: int) -> bool:
-        return self.wire.answers(servo, TRIES)
+    def answers(self, servo: int, tries: int = TRIES) -> bool:
+        return super().answers(servo, tries)
 
     def hurry(self) -> None:
         """Nothing to do: it plays by itself."""
@@ -107,9 +107,9 @@ class Arbotix(Board):
         position, speed = registers.GOAL_POSITION, registers.MOVING_SPEED
         for servo, goal in goals.items():
             if self._speeds.get(servo) != goal.speed:
-                self.wire.write(servo, speed.address, speed.encode(goal.speed))
+                super().write(servo, speed.address, speed.encode(goal.speed))
                 self._speeds[servo] = goal.speed
-            self.wire.write(servo, position.address, position.encode(goal.count))
+            super().write(servo, position.address, position.encode(goal.count))
 
     def halt(self) -> None:
         """End a sequence after the move it is in; whether it has ended, `is_idle` tells."""
@@ -130,7 +130,7 @@ class Arbotix(Board):
 
     def tell(self, packet: Packet) -> None:
         """Send one of the firmware's own instructions that may be repeated."""
-        self.wire.ask(packet, 0)
+        self.ask(packet, 0)
 
     def size_pose(self, packet: Packet) -> None:
         """Send SIZE_POSE, and wait while it reads where the servos are and hears nothing."""
@@ -144,4 +144,10 @@ class Arbotix(Board):
         complain of this one and obey it nonetheless.
         """
         self.hello()
-        self.wire.start(packet)
+        super().start(packet)
+
+
+class SimulatedArbotix(Arbotix):
+    """A computed ArbotiX with PyPose, and a pump behind it."""
+
+    simulated = True

@@ -28,14 +28,14 @@ class ArbotixRos(Board):
     has_pins = True
     boot = 2.0
 
-    def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
-        super().__init__(line, servos)
+    def __init__(self, line: Line, axes: Sequence[int] = ()) -> None:
+        super().__init__(line, axes)
         self._pulled_up: dict[int, float] = {}  # when each pin was made an input [s of the clock]
 
-    def identify(self) -> str:
+    def _identity(self) -> str:
         request = packets.read(ARBOTIX, 0, 3)
         try:
-            data = self.wire.ask(request, 3, 0).parameters
+            data = self.ask(request, 3, 0).parameters
         except NoReplyError as error:
             raise PumpError(
                 f"no ArbotiX answers at {self.baud} baud. {error} The firmware of PyPose needs "
@@ -55,7 +55,7 @@ class ArbotixRos(Board):
     def analog(self, channel: int) -> float:
         if not 0 <= channel <= 7:
             raise UsageError(f"analog channel {channel}; the board has 0 to 7")
-        (value,) = self.wire.read(ARBOTIX, ANALOG_IN + channel, 1)
+        (value,) = self.read(ARBOTIX, ANALOG_IN + channel, 1)
         return (value + 0.5) / 256
 
     def digital(self, pin: str) -> bool:
@@ -67,7 +67,14 @@ class ArbotixRos(Board):
             )
         now = self.line.clock.now()
         if now - self._pulled_up.get(number, -math.inf) >= PULL_UP_INTERVAL:
-            self.wire.write(ARBOTIX, DIGITAL_OUT + number, PULLED_UP)
+            super().write(ARBOTIX, DIGITAL_OUT + number, PULLED_UP)
             self._pulled_up[number] = now
-        (levels,) = self.wire.read(ARBOTIX, DIGITAL_IN + number // 8, 1)
+        (levels,) = self.read(ARBOTIX, DIGITAL_IN + number // 8, 1)
         return bool(levels >> number % 8 & 1)
+
+
+class Simulated(ArbotixRos):
+    """`--board simulated`: a computed ArbotiX with the firmware for ROS, and a pump behind it."""
+
+    name = "simulated"
+    simulated = True

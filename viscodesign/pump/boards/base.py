@@ -9,7 +9,7 @@ from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.ax.protocol.packets import Instruction, shown
-from viscodesign.pump.ax.protocol.registers import FULL, Register
+from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.ax.protocol.transactions import Transactions
 from viscodesign.pump.boards.controller import Controller
 from viscodesign.pump.bus.line import Line
@@ -42,22 +42,15 @@ class Goal:
             raise PumpError(f"a torque limit of {self.torque}; the register takes 1 to {FULL}")
 
 
-class Board(Controller):
-    """One kind of board between a serial line and the servos' bus; a board is a file.
-
-    Replies are checked for id, length, checksum and error bits. Reads and writes of absolute
-    values are repeated where no valid reply came; what starts a motion program never is.
-    """
+class Board(Controller, Transactions):
+    """One kind of board between a serial line and the servos' bus; a board is a file."""
 
     limits_torque: ClassVar[bool] = True
     """Whether a move sets torque limits too, in the same transaction."""
-    patience: ClassVar[float] = 0.1
-    """For a reply [s]."""
 
-    def __init__(self, line: Line, servos: Sequence[int] = ()) -> None:
-        super().__init__(line, servos)
-        self.servos = tuple(servos)  # ids of the servos that should be there, as far as known
-        self.wire = Transactions(line, self.patience)
+    def __init__(self, line: Line, axes: Sequence[int] = ()) -> None:
+        Controller.__init__(self, line, axes)
+        Transactions.__init__(self, line)
 
     @staticmethod
     def sets(request: bytes) -> bool:
@@ -67,42 +60,14 @@ class Board(Controller):
     def shown(request: bytes) -> str:
         return shown(request)
 
-    def read(self, servo: int, address: int, count: int) -> bytes:
-        """Registers of one servo."""
-        return self.wire.read(servo, address, count)
-
-    def write(self, servo: int, address: int, data: bytes) -> None:
-        """Set registers of one servo that are forgotten without power, and see that it says so."""
-        self.wire.write(servo, address, data)
-
     def write_permanent(self, servo: int, address: int, data: bytes) -> None:
         """Set registers of the EEPROM where they differ, read back: for `pump calibrate` alone."""
-        self.wire.write_permanent(servo, address, data)
+        super().write_permanent(servo, address, data)
         self.verify(data[0] if address == registers.ID.address else servo, address, data)
-
-    def verify(self, servo: int, address: int, data: bytes) -> None:
-        """Read back what was written; raises `PumpError` where a servo holds something else."""
-        if (held := self.read(servo, address, len(data))) != data:
-            raise PumpError(
-                f"servo {servo}: address {address} was set to {shown(data)}, but reads "
-                f"{shown(held)}; switch the servo off and on, and check its supply and cable"
-            )
-
-    def answers(self, servo: int) -> bool:
-        """Whether a servo answers, with error bits too; asked once, since ids may be unused."""
-        return self.wire.answers(servo)
-
-    def get(self, servo: int, register: Register) -> int:
-        """Value of one register."""
-        return register.decode(self.read(servo, register.address, register.size))
-
-    def set(self, servo: int, register: Register, value: int) -> None:
-        """Write one register that is forgotten without power."""
-        self.write(servo, register.address, register.encode(value))
 
     def hurry(self) -> None:
         """From now on something moves: give up asking before a silence has lasted too long."""
-        self.wire.patience, self.wire.longest = MOVING_PATIENCE, LONGEST_MOVING_WAIT
+        self.patience, self.longest = MOVING_PATIENCE, LONGEST_MOVING_WAIT
 
     def move(self, goals: Mapping[int, Goal]) -> None:
         """Set speed and goal of all named servos, in one transaction where the board can.
@@ -126,9 +91,9 @@ class Board(Controller):
             # A packet has one length, so there are several where only some limits change.
             blocks.setdefault(len(data), {})[servo] = data
         for _, block in sorted(blocks.items()):
-            self.wire.tell(packets.sync_write(registers.GOAL_POSITION.address, block))
+            self.send(packets.sync_write(registers.GOAL_POSITION.address, block))
         if high_bytes:
-            self.wire.tell(packets.sync_write(registers.TORQUE_LIMIT.address + 1, high_bytes))
+            self.send(packets.sync_write(registers.TORQUE_LIMIT.address + 1, high_bytes))
 
     def halt(self) -> None:
         """Stop a program that runs on the board itself."""

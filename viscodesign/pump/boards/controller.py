@@ -28,18 +28,23 @@ class Controller(ABC):
     simulated: ClassVar[bool] = False
     """Whether nothing real moves; everything it says is labelled so."""
     boot: ClassVar[float] = 0.0
-    """How long it takes to start, where opening its port resets it [s]."""
+    """How long a real one takes to start, where opening its port resets it [s]."""
 
     def __init__(self, line: Line, axes: Sequence[int] = ()) -> None:
         self.line = line
+        self.axes = tuple(axes)  # ids of those that should be there, as far as known
 
-    @abstractmethod
     def identify(self) -> str:
         """Name and version of what answers, without moving anything.
 
         Raises `PumpError` where nothing answers, or something else than this board, saying what
         it seems to be and which `--board` would fit.
         """
+        return "simulated, nothing real moves: " * self.simulated + self._identity()
+
+    @abstractmethod
+    def _identity(self) -> str:
+        """What `identify` says of a real board, and raises."""
 
     @staticmethod
     @abstractmethod

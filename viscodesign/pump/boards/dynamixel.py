@@ -17,9 +17,9 @@ class Dynamixel(Board):
     name = "dynamixel"
     baud = 1_000_000
 
-    def identify(self) -> str:
+    def _identity(self) -> str:
         self._refuse_arbotix()
-        servos = self.servos or SCANNED_IDS
+        servos = self.axes or SCANNED_IDS
         found = [words for servo in servos if (words := self._describe(servo))]
         if not found:
             raise PumpError(
@@ -33,7 +33,7 @@ class Dynamixel(Board):
         """Firmwares of the ArbotiX answer to id 253, which a servo should not have."""
         request = packets.read(ARBOTIX, registers.MODEL.address, 2)
         try:
-            reply = self.wire.ask(request, 2, 0, tries=1)
+            reply = self.ask(request, 2, 0, tries=1)
         except NoReplyError:
             return
         model = int.from_bytes(reply.parameters, "little")
@@ -44,7 +44,7 @@ class Dynamixel(Board):
     def _describe(self, servo: int) -> str:
         """Model and version of a servo; empty where it does not answer."""
         try:
-            data = self.wire.ask(packets.read(servo, 0, 3), 3, tries=1).parameters
+            data = self.ask(packets.read(servo, 0, 3), 3, tries=1).parameters
         except NoReplyError:
             return ""
         kind = model_title(registers.MODEL.within(data, 0))

@@ -9,11 +9,8 @@ no id, no checksum, no watchdog, and no name to ask for. Source: two published d
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.controller import Controller
-from viscodesign.pump.bus.line import Line
 from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT
 
 PATIENCE = 0.05  # for a reply [s]: it takes up to 15 ms on the line, and an adapter's latency
@@ -26,11 +23,9 @@ class LineRegulator(Controller):
     name = "regulator"
     baud = 9_600
 
-    def __init__(self, line: Line, axes: Sequence[int] = ()) -> None:
-        super().__init__(line, axes)
-        self.output = 0  # outlet as last read [steps]
+    output = 0  # outlet as last read [steps]
 
-    def identify(self) -> str:
+    def _identity(self) -> str:
         return f"a regulator, whose set-point is {self.set_point()} of {HIGHEST_SET_POINT}"
 
     @staticmethod
@@ -86,6 +81,3 @@ class SimulatedLineRegulator(LineRegulator):
     """A computed regulator at the end of a line."""
 
     simulated = True
-
-    def identify(self) -> str:
-        return f"simulated, nothing real moves: {super().identify()}"

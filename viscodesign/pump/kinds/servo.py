@@ -11,8 +11,9 @@ from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
 from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, torque_limit
+from viscodesign.pump.boards.arbotix import SimulatedArbotix
+from viscodesign.pump.boards.arbotix_ros import Simulated
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.boards.simulated import Simulated, SimulatedArbotix
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Channels, PumpKind

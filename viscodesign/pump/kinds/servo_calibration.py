@@ -8,7 +8,7 @@ from viscodesign.pump.ax.hold import release
 from viscodesign.pump.ax.homing import find_travel
 from viscodesign.pump.ax.preflight import EepromChange, changes, id_change, identify
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.servo_state import read_position
+from viscodesign.pump.ax.servo_state import position_of
 from viscodesign.pump.consent import Confirm, ShowPosition, require
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest
 from viscodesign.pump.kinds.connection import Connection
@@ -110,7 +110,7 @@ def _by_hand(
     outer, inner, home = (
         by_hand(
             f"servo {servo}: move the plunger {place}, then press Enter",
-            lambda: read_position(link.board, servo),
+            lambda: position_of(link.board, servo),
         )
         for place in ("out as far as it may go", "in as far as it may go", "to its home")
     )

@@ -122,7 +122,7 @@ def connected(
         link = Connection(
             kind, board(LoggedLine(line, log), axes), log, clock, pump, ambient, names
         )
-        clock.sleep(board.boot)
+        clock.sleep(0.0 if board.simulated else board.boot)
         link.board.line.drain()
         try:
             yield link

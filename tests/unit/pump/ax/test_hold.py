@@ -51,7 +51,7 @@ def test_what_moves_stands(name: str, release: bool) -> None:
 def test_a_loop_of_poses_ends_when_its_move_is_over() -> None:
     pump, clock = bench(1, 2), stepped()
     board = Arbotix(DirectLine(PyPose(pump), clock), [1, 2])
-    board.wire.write(1, registers.TORQUE_ENABLE.address, b"\x01")
+    board.write(1, registers.TORQUE_ENABLE.address, b"\x01")
 
     def tell(code: int, data: bytes = b"") -> None:
         board.line.write(packets.Packet(253, code, data).encode())

@@ -39,7 +39,7 @@ def server() -> Iterator[PtyServer]:
 def test_a_board_speaks_through_a_port(server: PtyServer) -> None:
     line = SerialLine(server.port, 1_000_000)
     board = Dynamixel(line, [1])
-    board.wire.patience = PATIENCE
+    board.patience = PATIENCE
     assert board.identify() == "adapter on the servos' bus; servo 1: AX-18A, firmware 24"
     board.move({1: Goal(300, 200)})
     assert board.read(1, 30, 4) == bytes([44, 1, 200, 0])
@@ -51,7 +51,7 @@ def test_a_firmware_speaks_through_a_port() -> None:
     with PtyServer(Ros(bench(1)), WallClock()) as served:
         line = SerialLine(served.port, 115_200)
         board = ArbotixRos(line, [1])
-        board.wire.patience = PATIENCE
+        board.patience = PATIENCE
         assert "firmware for ROS" in board.identify()
         board.set(1, registers.TORQUE_LIMIT, 400)
         line.close()

@@ -55,7 +55,7 @@ def test_a_board_on_a_port(tmp_path: Path) -> None:
         address = BoardAddress("dynamixel", server.port, log=tmp_path / "log.jsonl")
         with connected(address, SCENE) as link:
             assert isinstance(link.board, Dynamixel)
-            link.board.wire.patience = 1.0
+            link.board.patience = 1.0
             assert "AX-18A" in link.board.identify()
         with pytest.raises(PumpError):
             link.board.read(1, 0, 2)

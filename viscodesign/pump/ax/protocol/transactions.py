@@ -7,7 +7,7 @@ import math
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import packets
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction, Packet, Parser
-from viscodesign.pump.ax.protocol.registers import ID, RAM
+from viscodesign.pump.ax.protocol.registers import ID, RAM, Register
 from viscodesign.pump.bus.line import Line
 
 TRIES = 3  # of what may be repeated
@@ -48,15 +48,21 @@ class NoReplyError(PumpError):
 class Transactions:
     """The host's side of the bus; one request at a time.
 
+    Replies are checked for id, length, checksum and error bits. Reads and writes of absolute
+    values are repeated where no valid reply came; what starts a motion program never is.
+
     A reply that did not come in time may come later, and then looks like the reply to something
     else. So a lost reply stays owed until a reply that cannot be confused with it has come: bytes
     do not overtake each other, so whatever was owed came before that, or never will.
     """
 
-    def __init__(self, line: Line, patience: float = 0.1) -> None:
+    patience: float = 0.1
+    """How long to wait for a reply [s]."""
+    longest: float = math.inf
+    """How long to go on asking the same thing [s]."""
+
+    def __init__(self, line: Line) -> None:
         self.line = line
-        self.patience = patience  # how long to wait for a reply [s]
-        self.longest = math.inf  # how long to go on asking the same thing [s]
         self._owed: set[tuple[int, int]] = set()
         """Id and number of parameters of replies that did not come."""
         self._speaker: int | None = None  # the id that last sent registers
@@ -65,7 +71,7 @@ class Transactions:
         self.ask(packets.ping(servo), 0)
 
     def answers(self, servo: int, tries: int = 1) -> bool:
-        """Whether a servo answers, with error bits too."""
+        """Whether a servo answers, with error bits too; asked once, since ids may be unused."""
         try:
             self.ask(packets.read(servo, ID.address, ID.size), ID.size, tries=tries)
         except ServoError:
@@ -77,6 +83,20 @@ class Transactions:
     def read(self, servo: int, address: int, count: int) -> bytes:
         """Registers; asked up to `TRIES` times."""
         return self.ask(packets.read(servo, address, count), count).parameters
+
+    def read_anyway(self, servo: int, address: int, count: int) -> tuple[bytes, ErrorBits]:
+        """Registers and error bits; raises where no registers came."""
+        try:
+            return self.read(servo, address, count), ErrorBits(0)
+        except ServoError as fault:
+            if len(fault.data) != count:
+                raise
+            return fault.data, fault.errors
+
+    def get(self, servo: int, register: Register) -> int:
+        """Value of one register, whatever the error bits say."""
+        data, _ = self.read_anyway(servo, register.address, register.size)
+        return register.decode(data)
 
     def write(self, servo: int, address: int, data: bytes) -> None:
         """Set registers that are forgotten without power, to absolute values."""
@@ -95,7 +115,23 @@ class Transactions:
         if self.read(servo, address, len(data)) != data:
             self.ask(packets.write(servo, address, data), 0)
 
-    def tell(self, packet: Packet) -> None:
+    def set(self, servo: int, register: Register, value: int, *, read_back: bool = False) -> None:
+        """Write one register that is forgotten without power.
+
+        ``read_back``: by a read of its own too, whatever the board has seen of it and the error
+        bits say; raises `PumpError` where the servo holds something else.
+        """
+        self.write(servo, register.address, register.encode(value))
+        if read_back and (held := self.get(servo, register)) != value:
+            raise _kept_other(servo, register.name, value, held)
+
+    def verify(self, servo: int, address: int, data: bytes) -> None:
+        """Read back what was written; raises `PumpError` where a servo holds something else."""
+        if (held := self.read(servo, address, len(data))) != data:
+            where = f"address {address}"
+            raise _kept_other(servo, where, packets.shown(data), packets.shown(held))
+
+    def send(self, packet: Packet) -> None:
         """Send a packet that gets no answer."""
         self.line.drain()
         self.line.write(packet.encode())
@@ -156,7 +192,7 @@ class Transactions:
             fits = len(reply.parameters) in lengths or refused
             return reply.id == packet.id and fits and reply != packet
 
-        self.tell(packet)
+        self.send(packet)
         deadline = self.line.clock.now() + patience
         parser, came = Parser(), b""
         while data := self.line.read(MOST_BYTES, deadline):
@@ -190,6 +226,13 @@ class Transactions:
             return True
         self._owed.add((servo, length))
         return False
+
+
+def _kept_other(servo: int, where: str, sent: object, held: object) -> PumpError:
+    return PumpError(
+        f"servo {servo}: {where} was set to {sent}, but reads {held}; switch the servo off and on, "
+        "and check its supply and cable"
+    )
 
 
 def _nothing(packet: Packet, came: bytes, tries: int) -> str:
