@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.transactions import ServoError
-from viscodesign.pump.ax.servo_state import ServoState, read_servo
+from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import FinalAxisState
@@ -40,68 +40,60 @@ def hold(
     are known. A servo without torque is left so: nothing drives it.
     """
     last, aims = positions if positions is not None else {}, goals or {}
-    return until_verified(servos, clock, lambda servo: _hold(board, servo, last, aims.get(servo)))
+    return until_verified(
+        servos, clock, NOUN, lambda servo: _hold(board, servo, last, aims.get(servo))
+    )
 
 
 def release(board: Board, servos: Sequence[int], clock: Clock) -> list[FinalAxisState]:
     """Switch torque off, and read back that it is."""
-    return until_verified(servos, clock, lambda servo: _release(board, servo))
+    return until_verified(servos, clock, NOUN, lambda servo: _release(board, servo))
 
 
-def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> FinalAxisState:
+def _hold(board: Board, servo: int, last: dict[int, int], aim: int | None) -> str:
     """One attempt; the position is read first, so that no goal is far from the plunger."""
-
-    def left(words: str, verified: bool = False) -> FinalAxisState:
-        return FinalAxisState(servo, verified, words, NOUN)
-
-    def failure_of_move(goal: int) -> str:
-        try:
-            board.move({servo: Goal(goal, HOLD_SPEED)})
-        except PumpError as error:
-            return f"no hold could be sent: {error}"
-        return ""
-
     try:
         state = read_servo(board, servo)
     except PumpError as error:
         if servo not in last:
-            return left(f"no hold could be sent: {error}")
+            raise PumpError(f"no hold could be sent: {error}") from None
         # Repeating an absolute goal is harmless.
-        failure = failure_of_move(last[servo])
-        return left(failure or f"sent to {last[servo]} counts unseen; no reply: {error}")
+        _send(board, servo, last[servo])
+        raise PumpError(f"sent to {last[servo]} counts unseen; no reply: {error}") from None
     last[servo] = state.position
     if not state.driven:
-        return left(f"torque is off, at {state.position} counts", True)
+        return f"torque is off, at {state.position} counts"
     if state.torque_limit == 0:
-        return left(f"shut itself off ({state.complaint or 'torque limit 0'})", True)
+        return f"shut itself off ({state.complaint or 'torque limit 0'})"
     goal = state.position if aim is None or abs(aim - state.position) > HOLD_TOLERANCE else aim
-    if failure := failure_of_move(goal):
-        return left(failure)
+    _send(board, servo, goal)
     try:
-        return left(*_held(goal, read_servo(board, servo)))
+        state = read_servo(board, servo)
     except PumpError as error:
-        return left(f"hold sent, but not verified: {error}")
-
-
-def _held(goal: int, state: ServoState) -> tuple[str, bool]:
-    """What became of a hold, and whether it is one."""
+        raise PumpError(f"hold sent, but not verified: {error}") from None
     if not state.driven or state.goal != goal:
-        return f"hold at {goal} counts was sent, but it did not take it", False
+        raise PumpError(f"hold at {goal} counts was sent, but it did not take it")
     if abs(state.position - goal) > HOLD_TOLERANCE:
-        return f"holds {goal} counts, but is at {state.position}", False
+        raise PumpError(f"holds {goal} counts, but is at {state.position}")
     reports = f"; it reports: {state.complaint}" if state.errors else ""
-    return f"holds at {goal} counts, verified{reports}", True
+    return f"holds at {goal} counts, verified{reports}"
 
 
-def _release(board: Board, servo: int) -> FinalAxisState:
-    words, verified = "torque is off, verified", True
+def _send(board: Board, servo: int, goal: int) -> None:
+    try:
+        board.move({servo: Goal(goal, HOLD_SPEED)})
+    except PumpError as error:
+        raise PumpError(f"no hold could be sent: {error}") from None
+
+
+def _release(board: Board, servo: int) -> str:
     try:
         board.set(servo, registers.TORQUE_ENABLE, 0, read_back=True)
     except ServoError as fault:
-        words, verified = f"torque off was sent; {fault}", False
+        raise PumpError(f"torque off was sent; {fault}") from None
     except PumpError as error:
-        words, verified = f"torque off is not verified: {error}", False
-    return FinalAxisState(servo, verified, words, NOUN)
+        raise PumpError(f"torque off is not verified: {error}") from None
+    return "torque is off, verified"
 
 
 def stop_all(

@@ -128,20 +128,19 @@ class RegulatorPump(Pump):
 def hold(board: LineRegulator, clock: Clock, goal: int) -> list[FinalAxisState]:
     """Send a set-point [steps], and read back that it is held."""
 
-    def attempt(axis: int) -> FinalAxisState:
+    def attempt(axis: int) -> str:
         try:
             board.set(goal)
             held = board.set_point()
         except PumpError as error:
-            return FinalAxisState(axis, False, f"no hold could be verified: {error}", NOUN)
-        words = f"was sent set-point {goal}, but holds {held}"
-        if held == goal:
-            words = f"holds {goal} of {HIGHEST_SET_POINT} steps, verified"
-        if held == goal == 0:
-            words = "set to 0 kPa: it vents, verified"
-        return FinalAxisState(axis, held == goal, words, NOUN)
+            raise PumpError(f"no hold could be verified: {error}") from None
+        if held != goal:
+            raise PumpError(f"was sent set-point {goal}, but holds {held}")
+        if goal == 0:
+            return "set to 0 kPa: it vents, verified"
+        return f"holds {goal} of {HIGHEST_SET_POINT} steps, verified"
 
-    return until_verified([AXIS], clock, attempt)
+    return until_verified([AXIS], clock, NOUN, attempt)
 
 
 class RegulatorDemand(PumpDemand):
