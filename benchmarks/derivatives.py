@@ -9,8 +9,6 @@ turns, at values that no call had before.
 
 from __future__ import annotations
 
-import argparse
-import json
 import os
 import time
 from collections.abc import Callable
@@ -21,6 +19,7 @@ os.environ |= {"OPENBLAS_NUM_THREADS": "1"}  # before numpy
 
 import numpy as np
 from peers.machine import cpu
+from rounds import Record, measure_and_report
 
 from viscodesign import __version__, compile, load, simulate
 from viscodesign.compiled.function import CompiledFunction
@@ -68,20 +67,11 @@ PARTS = (
 CHANGE = 1e-3
 TIGHT = 1e-9
 """Of a number, and of the steps, where derivatives are compared with differences."""
-Record = dict[str, Any]
 
 
 def main() -> None:
     """Measure and report."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=ROUNDS)
-    parser.add_argument("--report", action="store_true", help="only report")
-    given = parser.parse_args()
-    if not given.report:
-        lines = [measure(name, given.rounds) for name in SCENES]
-        RESULTS.write_text("".join(json.dumps(line) + "\n" for line in lines))
-    records = [json.loads(line) for line in RESULTS.read_text().splitlines()]
-    RESULTS.with_suffix(".md").write_text("\n".join(report(records)) + "\n")
+    measure_and_report(__doc__, ROUNDS, RESULTS, SCENES, measure, report)
 
 
 def measure(name: str, rounds: int) -> Record:

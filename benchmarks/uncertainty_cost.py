@@ -10,17 +10,15 @@ those of `uncertainty: typical`, and are compared with bands by smaller steps.
 
 from __future__ import annotations
 
-import argparse
-import json
 import os
 import time
 from pathlib import Path
-from typing import Any
 
 os.environ |= {"OPENBLAS_NUM_THREADS": "1"}  # before numpy
 
 import numpy as np
 from peers.machine import cpu
+from rounds import Record, measure_and_report
 
 from viscodesign import __version__, load, simulate
 from viscodesign.compiled.outputs import TIP_COLUMNS
@@ -46,20 +44,11 @@ SCENES = {
     "steady_left_auto": "equilibria",
 }
 """By the names of their configs."""
-Record = dict[str, Any]
 
 
 def main() -> None:
     """Measure and report."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--rounds", type=int, default=ROUNDS)
-    parser.add_argument("--report", action="store_true", help="only report")
-    given = parser.parse_args()
-    if not given.report:
-        lines = [measure(config, given.rounds) for config in SCENES]
-        RESULTS.write_text("".join(json.dumps(line) + "\n" for line in lines))
-    records = [json.loads(line) for line in RESULTS.read_text().splitlines()]
-    RESULTS.with_suffix(".md").write_text("\n".join(report(records)) + "\n")
+    measure_and_report(__doc__, ROUNDS, RESULTS, SCENES, measure, report)
 
 
 def measure(config: str, rounds: int) -> Record:

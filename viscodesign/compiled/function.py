@@ -31,6 +31,7 @@ from viscodesign.compiled.given_values import (
 )
 from viscodesign.compiled.held_inlets import ControlState, HeldInlets, Inlets
 from viscodesign.compiled.integrated import IntegratedMotion
+from viscodesign.compiled.keyed_function import KeyedFunction
 from viscodesign.compiled.outputs import ChosenOutputs
 from viscodesign.compiled.reading import Members
 from viscodesign.compiled.scene_numbers import ProblemNumbers, SceneNumbers
@@ -122,7 +123,7 @@ class _Solved:
     """Common period of all inputs [s], where metrics need it."""
 
 
-class CompiledFunction:
+class CompiledFunction(KeyedFunction[SceneKeys]):
     """Outputs of a scene as a function of free numbers [SI], with derivatives.
 
     Effects, mesh, tolerance and output times are those of the scene that it was made of; names of
@@ -181,6 +182,7 @@ class CompiledFunction:
             settings = replace(settings, edges_per_section=edges_per_section)
         if keys is None:
             keys = FreeKeys(scene, free, one_period=one_period)
+        self._keys = keys
         self._numbers = SceneNumbers(quantities, members, settings, keys, keeps_unused=keeps_unused)
         problem = KEPT_PROBLEMS.problem(quantities, members, settings).problem
         self._built = quantities, members, settings, problem
@@ -197,25 +199,6 @@ class CompiledFunction:
 
     def __reduce__(self) -> tuple[Callable[..., CompiledFunction], tuple[Any, ...]]:
         return partial(CompiledFunction, **self._options), self._made_of
-
-    def __repr__(self) -> str:
-        count, name = len(self.names), self._made_of[0].name
-        return f"<viscodesign function of {count} number{'s' * (count > 1)} of {name}>"
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Keys of the free numbers, one each, in order."""
-        return self._numbers.names
-
-    @property
-    def values(self) -> np.ndarray:
-        """(f,) The scene's own numbers [SI]."""
-        return self._numbers.values.copy()
-
-    @property
-    def units(self) -> tuple[str, ...]:
-        """SI units of the free numbers, "1" for a ratio."""
-        return tuple(number.unit for number in self._numbers.keys.numbers)
 
     @property
     def times(self) -> np.ndarray:

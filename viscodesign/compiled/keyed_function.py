@@ -48,7 +48,7 @@ class KeyedFunction(Generic[Keys]):
     @property
     def values(self) -> np.ndarray:
         """(f,) The spec's own numbers [SI]."""
-        return self._keys.values
+        return self._keys.values.copy()
 
     @property
     def units(self) -> tuple[str, ...]:

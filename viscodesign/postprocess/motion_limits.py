@@ -10,12 +10,12 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
 from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
-from viscodesign.results.motion_arrays import MotionArrays
+from viscodesign.results.motion_arrays import MotionArrays, QuantityArrays
 from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True, eq=False)
-class MotionBlock:
+class MotionBlock(QuantityArrays):
     """Consecutive outputs of a run, each quantity read or computed when it is first asked for.
 
     T times, B bellows, Q tubes, S sections. Any array of a motion is an item, such as
@@ -32,16 +32,6 @@ class MotionBlock:
 
     def __getitem__(self, quantity: str) -> np.ndarray:
         return np.asarray(self.motion[quantity][self.rows])
-
-    @property
-    def time(self) -> np.ndarray:
-        """(T,) [s]."""
-        return self["time"]
-
-    @property
-    def tip(self) -> np.ndarray:
-        """(T, 3): x [m], z [m], angle from +z [rad]."""
-        return self["tip"]
 
     @cached_property
     def tip_velocity(self) -> np.ndarray:
@@ -60,21 +50,6 @@ class MotionBlock:
     def tip_speed(self) -> np.ndarray:
         """(T,) [m/s]."""
         return np.asarray(np.hypot(*self.tip_velocity[:, :2].T))
-
-    @property
-    def pressure(self) -> np.ndarray:
-        """(T, B) gauge [Pa]."""
-        return self["pressure"]
-
-    @property
-    def volume(self) -> np.ndarray:
-        """(T, B) [m3]."""
-        return self["volume"]
-
-    @property
-    def flow(self) -> np.ndarray:
-        """(T, Q) [m3/s]."""
-        return self["flow"]
 
     @cached_property
     def tube_pressure(self) -> np.ndarray:

@@ -8,6 +8,7 @@ from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import (
     DESIGN_ALTERNATIVES,
     DESIGN_FILES,
+    SPEC,
     json_bytes,
     prepare_folder,
     text_bytes,
@@ -18,7 +19,6 @@ from viscodesign.results.path_design import PathDesign
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
 HISTORY_COLUMNS = ("evaluation", "wall_s", "rms_m", "graph")
-SPEC = "spec.yaml"
 
 
 def write_design(

@@ -95,7 +95,8 @@ def draw_picture(draw: Callable[[Path], object], file: Path, pictures: PictureOp
     return made
 
 
-RUN_TABLES = ("trajectory.csv", "shape.csv", "spec.yaml")
+SPEC = "spec.yaml"
+RUN_TABLES = ("trajectory.csv", "shape.csv", SPEC)
 BAND_TABLE = "uncertainty.csv"
 """Written where the spec says how well its numbers are known."""
 RUN_PICTURES = ("tip.png", "pressures.png", "shapes.png")
@@ -108,7 +109,7 @@ PLAN_FILES = FileSet("plan.csv", "plan.json", "plan.png")
 SWEEP_FILES = FileSet("sweep.csv", "sweep.json", "sweep.png")
 SENSITIVITY_FILES = FileSet("sensitivity.csv", "sensitivity.json", "sensitivity.png")
 DESIGN_FILES = FileSet("history.csv", "result.json", "design.png")
-FIT_FILES = FileSet("spec.yaml", "fit.json", "fit.png")
+FIT_FILES = FileSet(SPEC, "fit.json", "fit.png")
 COMPARISON_FILES = FileSet("compare.csv", "compare.json", "compare.png")
 FIGURE_FILES = {
     number: FileSet(f"figure_{number}.csv", f"figure_{number}.json", f"figure_{number}.png")

@@ -10,6 +10,7 @@ from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import (
     REACH_FILES,
     REACH_INPUT,
+    SPEC,
     json_bytes,
     prepare_folder,
     text_bytes,
@@ -17,8 +18,6 @@ from viscodesign.report.folder import (
 )
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.reach_study import ReachStudy
-
-SPEC = "spec.yaml"
 
 
 def write_reach(

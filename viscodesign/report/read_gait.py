@@ -9,23 +9,21 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.errors import UsageError, ViscodesignError
 from viscodesign.report.folder import LEGS_TABLE, SUMMARY, WALK_TABLE
 from viscodesign.report.saved_files import (
     SavedTable,
     all_made,
+    fitting_files,
     made,
     saved_spec,
     saved_summary,
     saved_table,
 )
-from viscodesign.report.walk_folder import SPEC
 from viscodesign.results.findings import Notice
 from viscodesign.results.gait_energy import GaitEnergy
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import ContactInvariants, FootUse, PumpUse, WalkStudy
 from viscodesign.scene.reading.read_robot import robot_of
-from viscodesign.scene.reading.sources import text_spec
 from viscodesign.scene.robot_scene import RobotScene
 
 BODY = ("body_x_m", "body_height_m", "body_pitch_rad", "body_roll_rad")
@@ -38,18 +36,10 @@ def read_gait(directory: str | Path) -> WalkStudy:
     """
     folder = Path(directory)
     summary = saved_summary(folder / SUMMARY)
-    text = saved_spec(folder / SPEC, summary)
-    try:
-        scene = robot_of(text_spec(text.encode(), str(folder / SPEC)))
-    except ViscodesignError as error:
-        raise UsageError(f"{folder} holds no gait that can be read: {error}") from error
+    text, scene = saved_spec(folder, summary, robot_of, "gait")
     tables = saved_table(folder / WALK_TABLE), saved_table(folder / LEGS_TABLE)
-    try:
+    with fitting_files(folder, "Let the robot walk again"):
         return _study(summary, text, _motion(scene, *tables, summary["period_s"]))
-    except (ValueError, IndexError, KeyError, TypeError) as error:
-        raise UsageError(
-            f"the files in {folder} do not fit together ({error}). Let the robot walk again"
-        ) from error
 
 
 def _motion(scene: RobotScene, walk: SavedTable, legs: SavedTable, period: float) -> RobotMotion:

@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.errors import UsageError, ViscodesignError
+from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.report.folder import BAND_TABLE, RUN_TABLES, SUMMARY
+from viscodesign.report.folder import BAND_TABLE, SUMMARY
 from viscodesign.report.saved_files import (
     SavedTable,
     all_made,
+    fitting_files,
     made,
     saved_spec,
     saved_summary,
@@ -37,10 +38,9 @@ from viscodesign.results.findings import (
     Verdict,
 )
 from viscodesign.results.trajectory import Accuracy, Cost, Invariants, Trajectory
-from viscodesign.scene.reading.read import parse_scene
+from viscodesign.scene.reading.read import scene_of
 from viscodesign.scene.scene import Scene
 
-SPEC = RUN_TABLES[2]
 ARRAYS = ("inlet_pressure", "pressure", "flow")
 """Quantities that are arrays of their own in `trajectory.csv`."""
 MEMBERS = {Per.INLET: "inlets", Per.BELLOW: "bellows", Per.TUBE: "tubes"}
@@ -56,23 +56,16 @@ def read_run(directory: str | Path) -> Trajectory:
     summary = saved_summary(folder / SUMMARY)
     if not {"metrics", "effects"} <= set(summary):
         raise UsageError(f"{folder / SUMMARY} is not the summary of a run of one actuator")
-    text = saved_spec(folder / SPEC, summary)
-    try:
-        names = RunNames(parse_scene(text.encode(), str(folder / SPEC)))
-    except ViscodesignError as error:
-        raise UsageError(f"{folder} holds no run that can be read: {error}") from error
+    text, scene = saved_spec(folder, summary, scene_of, "run")
+    names = RunNames(scene)
     motion, shape = saved_table(folder / TRAJECTORY), saved_table(folder / SHAPE)
-    try:
+    with fitting_files(folder):
         arrays = _arrays(motion, names)
         contacts = _contacts(motion, names.scene)
         arrays |= _contact_arrays(motion, contacts)
         axes = _axes(shape, arrays["time"])
         arrays["shape"] = axes.shape
         told = _told(summary) | _band(folder, summary.get("uncertainty"))
-    except (ValueError, IndexError, KeyError, TypeError) as error:
-        raise UsageError(
-            f"the files in {folder} do not fit together ({error}). Simulate the spec again"
-        ) from error
     return Trajectory(
         **told,
         **names.of_run(),

@@ -7,18 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from viscodesign.errors import UsageError, ViscodesignError
-from viscodesign.report.folder import RUN_TABLES, SUMMARY
+from viscodesign.report.folder import SUMMARY
 from viscodesign.report.read_run import read_run
-from viscodesign.report.saved_files import SavedTable, saved_spec, saved_summary, saved_table
-from viscodesign.results.channels import channel
+from viscodesign.report.saved_files import (
+    SavedTable,
+    fitting_files,
+    saved_spec,
+    saved_summary,
+    saved_table,
+)
+from viscodesign.results.channels import TRAJECTORY, channel
 from viscodesign.results.coupled_motion import CoupledMotion
 from viscodesign.results.several_runs import SeveralRuns
 from viscodesign.scene.fluid_links import LinkedGroup
 from viscodesign.scene.reading.read_several import several_of
-from viscodesign.scene.reading.sources import text_spec
-
-TRAJECTORY, _, SPEC = RUN_TABLES
 
 
 def read_several(directory: str | Path) -> SeveralRuns:
@@ -28,14 +30,10 @@ def read_several(directory: str | Path) -> SeveralRuns:
     """
     folder = Path(directory)
     summary = saved_summary(folder / SUMMARY)
-    text = saved_spec(folder / SPEC, summary)
-    try:
-        scene = several_of(text_spec(text.encode(), str(folder / SPEC)))
-    except ViscodesignError as error:
-        raise UsageError(f"{folder} holds no runs that can be read: {error}") from error
+    text, scene = saved_spec(folder, summary, several_of, "runs")
     table = saved_table(folder / TRAJECTORY, may_be_empty=True)
     told: dict[str, Any] = summary["actuators"]
-    try:
+    with fitting_files(folder):
         coupled = tuple(_coupled(table, own) for own in scene.groups if own.names[0] in told)
         return SeveralRuns(
             name=summary["name"],
@@ -50,10 +48,6 @@ def read_several(directory: str | Path) -> SeveralRuns:
             coupled=coupled,
             known_supplies=summary["sources"],
         )
-    except (ValueError, IndexError, KeyError, TypeError) as error:
-        raise UsageError(
-            f"the files in {folder} do not fit together ({error}). Simulate the spec again"
-        ) from error
 
 
 def _coupled(table: SavedTable, group: LinkedGroup) -> CoupledMotion:

@@ -5,17 +5,21 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
-from viscodesign.errors import UsageError
+from viscodesign.errors import UsageError, ViscodesignError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.report.folder import SPEC
+from viscodesign.scene.reading.sources import ReadSpec, text_spec
 
 FoundT = TypeVar("FoundT")
+SpecT = TypeVar("SpecT")
 
 
 @dataclass(frozen=True)
@@ -66,8 +70,14 @@ def saved_summary(file: Path) -> dict[str, Any]:
     return found
 
 
-def saved_spec(file: Path, summary: Mapping[str, Any]) -> str:
-    """The resolved spec, which must be the one that the run was made of."""
+def saved_spec(
+    folder: Path, summary: Mapping[str, Any], read: Callable[[ReadSpec], SpecT], kind: str
+) -> tuple[str, SpecT]:
+    """The resolved spec as text and as ``read``, which must be the one that the run was made of.
+
+    ``kind``: what the folder is to hold, as in "no run".
+    """
+    file = folder / SPEC
     text = _text(file)
     digest = hashlib.sha256(text.encode()).hexdigest()
     if summary.get("resolved_sha256", digest) != digest:
@@ -75,7 +85,21 @@ def saved_spec(file: Path, summary: Mapping[str, Any]) -> str:
             f"{file} was changed after the run, so the tables beside it are of another spec. "
             "Simulate it again, in a folder of its own"
         )
-    return text
+    try:
+        return text, read(text_spec(text.encode(), str(file), file))
+    except ViscodesignError as error:
+        raise UsageError(f"{folder} holds no {kind} that can be read: {error}") from error
+
+
+@contextmanager
+def fitting_files(folder: Path, remedy: str = "Simulate the spec again") -> Iterator[None]:
+    """What is read of a folder's files here must fit together, or a `UsageError` says so."""
+    try:
+        yield
+    except (ValueError, IndexError, KeyError, TypeError) as error:
+        raise UsageError(
+            f"the files in {folder} do not fit together ({error}). {remedy}"
+        ) from error
 
 
 def _text(file: Path) -> str:

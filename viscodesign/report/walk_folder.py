@@ -12,6 +12,7 @@ from viscodesign.report.csv_text import csv_rows, csv_table
 from viscodesign.report.folder import (
     LEGS_TABLE,
     PAGE,
+    SPEC,
     SUMMARY,
     WALK_PICTURE,
     WALK_TABLE,
@@ -24,8 +25,6 @@ from viscodesign.report.page.gait_page import write_gait_page
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
 from viscodesign.results.robot_motion import RobotMotion
 from viscodesign.results.walk_study import WalkStudy
-
-SPEC = "spec.yaml"
 
 
 def write_walk(

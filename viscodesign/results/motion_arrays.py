@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Self
@@ -29,12 +30,46 @@ class AbsentQuantityError(ViscodesignError, KeyError):
         return str(self.args[0])  # that of a KeyError would be in quotes
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MotionArrays:
-    """T output times, B bellows, Q tubes, K points of the axis; SI, pressures gauge.
+class QuantityArrays(ABC):
+    """Arrays of a motion by quantity; those that are asked for most are attributes.
 
-    What every array holds says the table in `results.channels`.
+    T output times, B bellows, Q tubes; SI, pressures gauge. What every array holds says the table
+    in `results.channels`.
     """
+
+    @abstractmethod
+    def __getitem__(self, quantity: str) -> np.ndarray:
+        """An array (T, ...)."""
+
+    @property
+    def time(self) -> np.ndarray:
+        """(T,) [s]."""
+        return self["time"]
+
+    @property
+    def tip(self) -> np.ndarray:
+        """(T, 3): x [m], z [m], angle from +z [rad], never wrapped; of several rods in a row."""
+        return self["tip"]
+
+    @property
+    def pressure(self) -> np.ndarray:
+        """(T, B) gauge [Pa]."""
+        return self["pressure"]
+
+    @property
+    def volume(self) -> np.ndarray:
+        """(T, B) [m3]."""
+        return self["volume"]
+
+    @property
+    def flow(self) -> np.ndarray:
+        """(T, Q) [m3/s], positive from the tube's first end to its second."""
+        return self["flow"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MotionArrays(QuantityArrays):
+    """The arrays of a whole motion, with K points of the axis."""
 
     arrays: Mapping[str, np.ndarray]
     """Quantity -> (T, ...); ``shape`` has N of these times only."""
@@ -53,34 +88,9 @@ class MotionArrays:
         """The same with some quantities replaced or added."""
         return replace(self, arrays={**self.arrays, **arrays})
 
-    @property
-    def time(self) -> np.ndarray:
-        """(T,) [s]."""
-        return self["time"]
-
-    @property
-    def tip(self) -> np.ndarray:
-        """(T, 3): x [m], z [m], angle from +z [rad], never wrapped; of several rods in a row."""
-        return self["tip"]
-
     def tips(self, rows: slice) -> np.ndarray:
         """x and z of every rod's tip (T, rods, 2) [m] at some of the times."""
         return np.asarray(self.tip[rows].reshape(len(self.tip[rows]), -1, 3)[..., :2])
-
-    @property
-    def pressure(self) -> np.ndarray:
-        """(T, B) gauge [Pa]."""
-        return self["pressure"]
-
-    @property
-    def volume(self) -> np.ndarray:
-        """(T, B) [m3]."""
-        return self["volume"]
-
-    @property
-    def flow(self) -> np.ndarray:
-        """(T, Q) [m3/s], positive from the tube's first end to its second."""
-        return self["flow"]
 
     @property
     def shape(self) -> np.ndarray:

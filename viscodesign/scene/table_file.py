@@ -12,7 +12,8 @@ from pydantic import Field, ValidationInfo
 from viscodesign.errors import described, did_you_mean, not_among
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, invalid_at, raise_faults
-from viscodesign.scene.tables.columns import ChosenColumn, Header, WantedColumn, chosen_columns
+from viscodesign.scene.tables.chosen_columns import chosen_columns
+from viscodesign.scene.tables.columns import ChosenColumn, Header, WantedColumn
 from viscodesign.scene.tables.layout import TableText, taken_apart
 from viscodesign.scene.tables.numbers import Decimal, read_numbers
 
