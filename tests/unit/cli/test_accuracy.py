@@ -15,7 +15,8 @@ import pytest
 
 from tests.studies import made_study
 from tests.unit.cli.conftest import CONFIGS, Call
-from viscodesign.cli.texts.accuracy_text import cost_lines, percentage, seconds
+from viscodesign.cli.texts.accuracy_text import cost_lines
+from viscodesign.cli.texts.layout import percentage, seconds
 from viscodesign.results.accuracy_study import AccuracyStudy
 
 QUICK = ("--set", "bellows.count=4", "--set", "effects={pressure_distribution: on, others: off}",

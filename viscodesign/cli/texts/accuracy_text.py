@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.layout import number, table, wrap
+from viscodesign.cli.texts.layout import (
+    and_more,
+    files_row,
+    number,
+    percentage,
+    seconds,
+    table,
+    wrap,
+)
 from viscodesign.results.accuracy_points import Point, tolerance_words
 from viscodesign.results.accuracy_study import AccuracyStudy
 
@@ -25,7 +33,7 @@ def cost_lines(
         *([("budget", _budget(study, budget_s))] if budget_s is not None else []),
         ("reference", _reference(study)),
         ("points", f"{len(study.points)} in {number(study.spent_s, 's')}"),
-        ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+        files_row(folder, files),
     ]
     caption = (
         f"{study.name}: solve time for a given tip error, relative to the actuator length "
@@ -125,8 +133,7 @@ def _note_lines(study: AccuracyStudy) -> list[str]:
     lines = ["notes"]
     for note in study.notes[:MOST_NOTES]:
         lines += wrap(note, "  ", "    ")
-    more = len(study.notes) - MOST_NOTES
-    return [*lines, f"  and {more} more in accuracy.json"] if more > 0 else lines
+    return [*lines, *and_more(len(study.notes), MOST_NOTES, "accuracy.json")]
 
 
 def _best(study: AccuracyStudy) -> Point:
@@ -136,20 +143,3 @@ def _best(study: AccuracyStudy) -> Point:
 def _error(point: Point) -> str:
     sign = "<= " if point.is_bound else ""
     return f"error {sign}{percentage(point.tip_error_rel)}"
-
-
-def percentage(part: float) -> str:
-    """A share in percent, to two digits; in powers of ten below a millionth."""
-    value = 100 * part
-    return (
-        f"{float(f'{value:.2g}'):.10f}".rstrip("0").rstrip(".") + " %"
-        if value >= 1e-6
-        else (f"{value:.1e} %")
-    )
-
-
-def seconds(time: float) -> str:
-    """A time [s] to two digits, in ms below a second."""
-    if time < 1.0:
-        return f"{float(f'{1e3 * time:.2g}'):g} ms"
-    return f"{float(f'{time:.2g}'):g} s"

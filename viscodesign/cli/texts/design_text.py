@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.accuracy_text import seconds
-from viscodesign.cli.texts.layout import number, table
+from viscodesign.cli.texts.layout import and_more, number, seconds, table
 from viscodesign.results.findings import outside_words
 from viscodesign.results.path_design import PathDesign
 
@@ -66,8 +65,7 @@ def _numbers(found: PathDesign) -> list[str]:
     if found.graph and not found.parameters:
         return ["", f"  graph  {', '.join(found.graph)}"]
     rows = [(key, number(value, _unit(found, key))) for key, value in found.parameters.items()]
-    more = len(rows) - MOST_DESIGN_ROWS
-    tail = [f"  and {more} more in result.json"] if more > 0 else []
+    tail = and_more(len(rows), MOST_DESIGN_ROWS, "result.json")
     return ["", *table(rows[:MOST_DESIGN_ROWS]), *tail] if rows else []
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.accuracy_text import seconds
-from viscodesign.cli.texts.layout import table, wrap
+from viscodesign.cli.texts.layout import and_more, files_row, seconds, table, wrap
 from viscodesign.results.channels import PICTURE_UNITS
 from viscodesign.results.fit_result import Experiment, Fit, FittedNumber, FittedRun
 from viscodesign.results.sweep_table import value_words
@@ -19,12 +18,11 @@ def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
     known = sum(own.is_identified for own in found.numbers)
     head = f"{found.name}: {known} of {len(found.numbers)} numbers identified"
     rows = [_number_row(own) for own in found.numbers[:MOST_FIT_ROWS]]
-    more = len(found.numbers) - len(rows)
     return [
         head,
         *(line for text in mismatch_texts(found) for line in wrap(text, "  ", "    ")),
         *table(rows),
-        *([f"  and {more} more in fit.json"] if more > 0 else []),
+        *and_more(len(found.numbers), MOST_FIT_ROWS, "fit.json"),
         *(line for text in untold(found) for line in wrap(text, "  ", "    ")),
         "",
         *table(
@@ -36,7 +34,7 @@ def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
                 ("what is left", f"{found.chi2_per_dof:.3g} times its noise (mean squares)"),
                 ("mesh", _mesh(found)),
                 ("effort", f"{found.evaluations} solutions, {seconds(found.wall_s)}"),
-                ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+                files_row(folder, files),
             ]
         ),
     ]

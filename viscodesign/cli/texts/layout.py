@@ -10,7 +10,8 @@ import math
 import shutil
 import sys
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 MIN_COLUMNS = 40
 MAX_COLUMNS = 110
@@ -69,3 +70,30 @@ def number(value: float | None, unit: str = "") -> str:
     if math.isinf(value):
         return "infinite" if value > 0 else "-infinite"
     return f"{value:.3g} {unit}".rstrip()
+
+
+def percentage(part: float) -> str:
+    """A share in percent, to two digits; in powers of ten below a millionth."""
+    value = 100 * part
+    return (
+        f"{float(f'{value:.2g}'):.10f}".rstrip("0").rstrip(".") + " %"
+        if value >= 1e-6
+        else (f"{value:.1e} %")
+    )
+
+
+def seconds(time: float) -> str:
+    """A time [s] to two digits, in ms below a second."""
+    if time < 1.0:
+        return f"{float(f'{1e3 * time:.2g}'):g} ms"
+    return f"{float(f'{time:.2g}'):g} s"
+
+
+def and_more(count: int, most: int, file: str) -> list[str]:
+    """The line below a list that was cut at ``most`` of ``count``; none where it was not."""
+    return [f"  and {count - most} more in {file}"] if count > most else []
+
+
+def files_row(folder: Path, files: Iterable[Path]) -> tuple[str, str]:
+    """What was written."""
+    return "files", f"{folder}: {', '.join(file.name for file in files)}"

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.accuracy_text import seconds
-from viscodesign.cli.texts.layout import number, table
+from viscodesign.cli.texts.layout import files_row, number, seconds, table
 from viscodesign.results.findings import outside_words
 from viscodesign.results.reach_study import ReachStudy
 
@@ -18,7 +17,7 @@ def reach_lines(study: ReachStudy, folder: Path, files: Sequence[Path]) -> list[
         *_point(study),
         *_areas(study),
         ("time", seconds(study.wall_s)),
-        ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+        files_row(folder, files),
     ]
     return [f"{study.name}: pressures from {low} to {high} kPa", *table(rows)]
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from viscodesign.cli.texts.check_text import notice_lines, percent, quadrant_lines
-from viscodesign.cli.texts.layout import number, table
+from viscodesign.cli.texts.layout import files_row, number, table
 from viscodesign.results.coefficient_band import STILL_WORDS, CoefficientBand, why_no_band
 from viscodesign.results.findings import NOT_APPLICABLE, RetryAttempt, outside_words
 from viscodesign.results.trajectory import Trajectory
@@ -30,7 +30,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         *_outside(trajectory),
         *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
         *_decisions(trajectory),
-        ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+        files_row(folder, files),
     ]
     return [
         *quadrant_lines(trajectory.classification),

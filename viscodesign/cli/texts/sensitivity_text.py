@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.accuracy_text import percentage, seconds
-from viscodesign.cli.texts.layout import number, table
+from viscodesign.cli.texts.layout import and_more, files_row, number, percentage, seconds, table
 from viscodesign.results.sensitivity_study import AXES, SampledVariance, SensitivityStudy
 from viscodesign.results.sweep_table import value_words
 
@@ -18,12 +17,10 @@ NOTABLE_DIFFERENCE = 0.05
 def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Path]) -> list[str]:
     """One line a number, the band, its check, files."""
     head = "shift of the tip by one percent of each number, where it is largest"
-    rows = list(_numbers(study))
-    more = len(study.numbers) - len(rows)
     return [
         f"{study.name}: {head}",
-        *table(rows),
-        *([f"  and {more} more in sensitivity.csv"] if more > 0 else []),
+        *table(list(_numbers(study))),
+        *and_more(len(study.numbers), MOST_SENSITIVITY_ROWS, "sensitivity.csv"),
         "",
         *table(
             [
@@ -32,7 +29,7 @@ def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Pat
                 *_left_out(study),
                 ("effects", ", ".join(sorted(study.effects)) or "none"),
                 ("time", seconds(study.wall_s)),
-                ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+                files_row(folder, files),
             ]
         ),
     ]

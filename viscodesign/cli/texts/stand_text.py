@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.layout import number, table
+from viscodesign.cli.texts.layout import files_row, number, table
 from viscodesign.results.stand_study import StanceRow, StandStudy
 
 
@@ -28,7 +28,7 @@ def stand_lines(study: StandStudy, folder: Path, files: Sequence[Path]) -> list[
         *table([*_head(), *(_cells(row, study) for row in study.by_payload)]),
         "",
         *_crouches(study),
-        *table([("files", f"{folder}: {', '.join(file.name for file in files)}")]),
+        *table([files_row(folder, files)]),
     ]
 
 

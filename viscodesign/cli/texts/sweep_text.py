@@ -7,9 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.cli.texts.check_text import notice_lines
-from viscodesign.cli.texts.layout import number, table, wrap
+from viscodesign.cli.texts.layout import and_more, files_row, number, seconds, table, wrap
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.sweep_table import COMPLETE, Sweep
 
@@ -26,7 +25,7 @@ def sweep_lines(sweep: Sweep, folder: Path, files: Sequence[Path]) -> list[str]:
         *_models(sweep),
         ("accuracy", f"{number(1e3 * sweep.requested_m, 'mm')} requested of each row"),
         *_verified(sweep),
-        ("files", f"{folder}: {', '.join(file.name for file in files)}"),
+        files_row(folder, files),
     ]
     warnings = notice_lines(sweep.warnings)
     return [
@@ -96,5 +95,4 @@ def _failures(sweep: Sweep) -> list[str]:
         lines += wrap(
             f"{found.row}: {sweep.words(found.row, MOST_KEYS)}: {found.failure}", "  ", "    "
         )
-    more = len(sweep.failures) - MOST_FAILURES
-    return [*lines, f"  and {more} more in sweep.csv"] if more > 0 else lines
+    return [*lines, *and_more(len(sweep.failures), MOST_FAILURES, "sweep.csv")]

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from viscodesign.cli.texts.accuracy_text import seconds
 from viscodesign.cli.texts.check_text import notice_lines
-from viscodesign.cli.texts.layout import number, table
+from viscodesign.cli.texts.layout import files_row, number, seconds, table
 from viscodesign.results.walk_study import WalkStudy
 
 
@@ -22,7 +21,7 @@ def walk_lines(study: WalkStudy, folder: Path, files: Sequence[Path]) -> list[st
         *table(list(_feet(study))),
         "",
         *(["warnings", *warnings, ""] if warnings else []),
-        *table([("files", f"{folder}: {', '.join(file.name for file in files)}")]),
+        *table([files_row(folder, files)]),
     ]
 
 
