@@ -1,6 +1,6 @@
 """Every bundled config: its balances, and its motion held against that of an earlier version.
 
-    pytest tests/golden                    within a hundredth of each scene's accuracy
+    pytest tests/golden                    within a thousandth of each scene's accuracy
     pytest tests/golden --golden exact     to the last digit: for a change that must move nothing
     pytest tests/golden --golden update    write the paths anew, after a change that must
 
@@ -35,7 +35,7 @@ from viscodesign.native.machine import this_machine
 PATHS = Path(__file__).parent / "paths"
 ROWS = 81
 """Output times kept of each run."""
-TOLERANCE_OF_ACCURACY = 0.01
+TOLERANCE_OF_ACCURACY = 1e-3
 """How far a tip may lie from its golden path, in parts of the accuracy asked for."""
 ROUND_OFF_OF_ACCURACY = 3e-5
 """The same for another machine's rounding. Code without fused operations and vectors, in formulas,
