@@ -5,8 +5,9 @@ were too small by up to fifty times.
 
 The solution with everything that the spec allows comes first, with ten times the tolerance and
 half the edges. It is coarser than the one with the chosen effects, and has more of them: the
-distance of the two is at once what is neglected, and the error of steps and mesh. Only where
-that is too much, a third solution, as coarse and with the chosen effects, tells these apart.
+distance of the two is at once what is neglected, and the error of steps and mesh. These may hide
+each other: then the estimates count. Where the distance is too much, or a run has corrected the
+estimates, a third solution, as coarse and with the chosen effects, tells the two apart.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ class JudgingNumbers:
     rod does not swing."""
     stated_per_measured: float = 1.25
     """Stated error over the measured distance: the rest of both solutions' own errors."""
-    stated_per_estimated: float = 1.5
+    stated_per_estimated: float = 2.0
     """The least of it, over what neglected effects do by the estimates: their displacement and the
     error of the coarser mesh may point the same way, and their difference then hides both."""
     coarser_tolerance: float = 10.0
@@ -133,8 +134,8 @@ class EffectJudge:
 
     def _is_spared(self, selection: Selection, settings: Settings) -> bool:
         """Whether estimates are enough: one solution of a rod with inertia costs as much."""
-        if selection.active != self._weighed:
-            return False  # a run has shown that they do not see what matters
+        if self.are_corrected(selection):
+            return False
         if self._quantities.bare_estimate.setting.is_cut:
             return False  # they have not seen all of the input
         if selection.estimated_m > JUDGING.least_share * self._quantities.requested_m:
@@ -142,6 +143,10 @@ class EffectJudge:
         own = (self._quantities, selection.effects, judgeable(settings))
         problem = self._workspace.problems.problem(*own).problem
         return problem.equations.rod_form is not RodForm.DYNAMIC
+
+    def are_corrected(self, selection: Selection) -> bool:
+        """Whether a run has shown that the estimates do not see all that matters."""
+        return selection.active != self._weighed
 
     def omission(self, run: Run, everything: Run) -> Omission:
         """How far the tip of a run is from where all effects take it."""

@@ -245,7 +245,8 @@ def _judged(
 
     verifier.compare_flows(whole, run)
     verifier.neglected_m = apart(run)
-    if verifier.neglected_m <= verifier.requested_m or run.solution.asked_to_stop:
+    is_plain = verifier.neglected_m <= verifier.requested_m and not judge.are_corrected(selection)
+    if is_plain or run.solution.asked_to_stop:
         return apart, None
     try:
         alike = verifier.solve(whole.settings)
@@ -256,12 +257,13 @@ def _judged(
     found = judge.omission(alike if alike.is_complete else run, whole)
     neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
     verifier.neglected_m, verifier.measured_neglected = neglected_m, True
-    if verifier.interrupted or judge.is_too_much(found):
-        return None, None if verifier.interrupted else judge.escalation(selection, found)
+    if verifier.interrupted:
+        return None, None
 
     def of_steps_and_effects(finer: Run) -> float:
         steps_m = tip_difference(alike.motion, finer.motion)
         return neglected_m + JUDGING.steps_share * steps_m
 
-    is_enough = alike.is_complete and of_steps_and_effects(run) <= verifier.requested_m
-    return of_steps_and_effects if is_enough else None, None
+    if alike.is_complete and of_steps_and_effects(run) <= verifier.requested_m:
+        return of_steps_and_effects, None
+    return None, judge.escalation(selection, found) if judge.is_too_much(found) else None

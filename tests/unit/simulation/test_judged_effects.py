@@ -158,6 +158,28 @@ def test_estimates_that_a_run_has_corrected_spare_no_solution() -> None:
     assert judge.everything(corrected, settings) is not None
 
 
+def test_effects_are_told_from_steps_once_estimates_were_corrected(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Nothing else tells then whether what is left out and the coarser mesh hide each other.
+
+    No more is included where their sum is below the accuracy.
+    """
+    for answer in ("are_corrected", "is_too_much"):
+        monkeypatch.setattr(EffectJudge, answer, lambda *_: True)
+    found = simulate(leg(*SHORT))
+    assert not found.ladder
+    quantities, selection, run = judged()
+    everything = whole(judge_of(quantities, selection), selection, run)
+    alike = solve(quantities, selection.effects, everything.settings)
+    effects_m = selection.stated(
+        JUDGING.stated_per_measured * tip_difference(alike.motion, everything.motion)
+    )
+    steps_m = JUDGING.steps_share * tip_difference(alike.motion, run.motion)
+    assert found.accuracy.estimated_tip_error_m == pytest.approx(effects_m + steps_m)
+    assert "between two solutions, with and without" in found.accuracy.method
+
+
 def test_a_judged_run_costs_two_solutions(monkeypatch: pytest.MonkeyPatch) -> None:
     solved: list[Settings] = []
 
