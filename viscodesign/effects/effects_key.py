@@ -72,7 +72,8 @@ class _CodeWalk(Walk):
     def _members(self, kind: type) -> Hashable:
         if not issubclass(kind, Effect | Input):
             return _Same((kind,))
-        members = {name: own for name, own in vars(kind).items() if not name.startswith(INTERNAL)}
+        found = vars(kind).copy()  # another thread may write a lazy method
+        members = {name: own for name, own in found.items() if not name.startswith(INTERNAL)}
         if _package(kind.__module__) != PACKAGE:
             return tuple((name, self.key_of(_plain(own))) for name, own in members.items())
         code = [own for own in map(_plain, members.values()) if type(own) is FunctionType]

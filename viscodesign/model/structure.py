@@ -47,7 +47,8 @@ def without_numbers(thing: Any) -> Any:
         return {key: without_numbers(item) for key, item in thing.items()}
     if type(thing).__module__.partition(".")[0] == __name__.partition(".")[0] and vars(thing):
         blind = copy.copy(thing)
-        vars(blind).update((name, without_numbers(value)) for name, value in vars(thing).items())
+        held = vars(thing).copy()  # another thread may add a cached property
+        vars(blind).update((name, without_numbers(value)) for name, value in held.items())
         return blind
     return thing
 
@@ -205,5 +206,7 @@ def _number_fields(kind: type) -> dict[str, bool]:
 @cache
 def _derived(kind: type) -> list[str]:
     """Names of the cached properties of a class."""
-    named = {name: value for base in reversed(kind.__mro__) for name, value in vars(base).items()}
+    # Copies: another thread may write a lazy method of a base class at this moment.
+    bases = [vars(base).copy() for base in reversed(kind.__mro__)]
+    named = {name: value for members in bases for name, value in members.items()}
     return sorted(name for name, value in named.items() if isinstance(value, cached_property))

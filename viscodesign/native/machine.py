@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import platform
-import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
@@ -16,11 +15,10 @@ from typing import Any
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.native.unavailable import NativeUnavailable
 from viscodesign.native.vector_math import NONE, VectorMath, vector_math
+from viscodesign.storage.lru_cache import ONE_AT_A_TIME
 
 SWITCH = "VISCODESIGN_NATIVE"
 """Environment variable: ``off`` does without native code."""
-_LOCK = threading.Lock()
-"""llvmlite's targets are shared by all threads."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +81,7 @@ def object_code(ir: str, *, optimise: int, generate: int) -> bytes:
     generator. Raises `NativeUnavailable`.
     """
     this_machine()
-    with _refusals_as_unavailable(), _LOCK:
+    with _refusals_as_unavailable(), ONE_AT_A_TIME:  # targets are shared
         llvm = _binding()
         target = _code_generator(generate)
         module = llvm.parse_assembly(ir)
@@ -106,7 +104,7 @@ def load(codes: Sequence[bytes], names: Sequence[str]) -> Loaded:
     One piece more costs a tenth of loading it alone. Raises `NativeUnavailable`.
     """
     this_machine()
-    with _refusals_as_unavailable(), _LOCK:
+    with _refusals_as_unavailable(), ONE_AT_A_TIME:  # targets are shared
         llvm = _binding()
         jit = llvm.create_lljit_compiler(_target_machine(2))
         builder = llvm.JITLibraryBuilder()

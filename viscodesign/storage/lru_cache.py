@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 import threading
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterator
@@ -16,6 +18,13 @@ ONE_AT_A_TIME = threading.RLock()
 One lock for all, since making one thing needs others: of several locks, two threads could each hold
 one and wait for the other's.
 """
+if sys.platform != "win32":
+    # A process that is forked has none of the other threads, one of which might hold the lock.
+    os.register_at_fork(
+        before=ONE_AT_A_TIME.acquire,
+        after_in_parent=ONE_AT_A_TIME.release,
+        after_in_child=ONE_AT_A_TIME.release,
+    )
 
 
 class LruCache(Generic[Made]):

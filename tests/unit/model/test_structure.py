@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+import threading
+import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -16,7 +19,8 @@ import pytest
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from viscodesign.model.scene_number import PARAMETER_VALUE, SCENE_NUMBER
-from viscodesign.model.structure import structure_of, without_numbers
+from viscodesign.model.structure import _derived, structure_of, without_numbers
+from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True)
@@ -112,3 +116,38 @@ def test_equal_things_have_equal_keys(make: Callable[[int], object]) -> None:
 def test_what_cannot_be_copied_equals_nothing() -> None:
     with open(__file__) as file:
         assert structure_of(file) != structure_of(file)
+
+
+def test_a_class_may_change_while_it_is_read() -> None:
+    """As by a lazy method that another thread writes."""
+
+    class Base:
+        added: int
+
+    for number in range(200):
+        setattr(Base, f"method_{number}", None)
+
+    class Own(Base):
+        @cached_property
+        def much(self) -> int:
+            return 1
+
+    over = threading.Event()
+
+    def change() -> None:
+        while not over.is_set():
+            Base.added = 1
+            time.sleep(0)
+            del Base.added
+            time.sleep(0)
+
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    other = threading.Thread(target=change)
+    other.start()
+    try:
+        assert {tuple(_derived.__wrapped__(Own)) for _ in range(3000)} == {("much",)}
+    finally:
+        over.set()
+        other.join()
+        sys.setswitchinterval(before)

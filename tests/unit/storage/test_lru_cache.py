@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import sys
+import threading
+
 import pytest
 
-from viscodesign.storage.lru_cache import LruCache
+from viscodesign.storage.lru_cache import ONE_AT_A_TIME, LruCache
 
 
 def test_results_are_cached_and_the_oldest_dropped() -> None:
@@ -65,3 +69,25 @@ def test_lent_or_failed_entries_do_not_count_towards_the_size_limit() -> None:
                 pass
     with cache.lend("away", object) as again:
         assert again is away
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no forks")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded.*:DeprecationWarning")
+def test_a_forked_process_finds_the_lock_free() -> None:
+    """Whatever another thread of the parent is making at that moment."""
+    held, over = threading.Event(), threading.Event()
+
+    def make() -> int:
+        held.set()
+        return int(over.wait(0.2))
+
+    other = threading.Thread(target=lambda: LruCache[int](1).get("slow", make))
+    other.start()
+    held.wait()
+    child = os.fork()
+    if not child:
+        is_free = ONE_AT_A_TIME.acquire(timeout=1.0)
+        os._exit(0 if is_free else 1)
+    over.set()
+    other.join()
+    assert os.waitpid(child, 0)[1] == 0
