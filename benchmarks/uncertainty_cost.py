@@ -22,11 +22,11 @@ from rounds import Record, measure_and_report
 
 from viscodesign import __version__, load, simulate
 from viscodesign.compiled.outputs import TIP_COLUMNS
-from viscodesign.exploration.coefficient_band import coefficient_band
-from viscodesign.exploration.differentiable import differentiable
-from viscodesign.exploration.stated_uncertainty import StatedDeviation, stated_deviations
 from viscodesign.results.coefficient_band import CoefficientBand
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.coefficient_band import coefficient_band
+from viscodesign.studies.differentiable import differentiable
+from viscodesign.studies.stated_uncertainty import StatedDeviation, stated_deviations
 
 HERE = Path(__file__).parent
 CONFIGS = HERE.parent / "configs"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from viscodesign.exploration.least_squares import NumberRanges, least_squares
+from viscodesign.studies.least_squares import NumberRanges, least_squares
 
 STEP = 1e-4
 """Of a difference, in parts of the range."""

@@ -33,11 +33,6 @@ if TYPE_CHECKING:
     from viscodesign.compiled.several import CompiledActuators as CompiledActuators
     from viscodesign.errors import SpecError as SpecError
     from viscodesign.errors import ViscodesignError as ViscodesignError
-    from viscodesign.exploration.check import check as check
-    from viscodesign.exploration.sensitivity import sensitivity as sensitivity
-    from viscodesign.exploration.simulate import simulate as simulate
-    from viscodesign.exploration.simulate_several import simulate_several as simulate_several
-    from viscodesign.exploration.sweep import sweep as sweep
     from viscodesign.inverse.design import design as design
     from viscodesign.inverse.reach import reach as reach
     from viscodesign.loading import load as load
@@ -75,6 +70,11 @@ if TYPE_CHECKING:
     from viscodesign.scene.scene import Scene as Scene
     from viscodesign.scene.several_scene import SeveralScene as SeveralScene
     from viscodesign.studies.accuracy import accuracy as accuracy
+    from viscodesign.studies.check import check as check
+    from viscodesign.studies.sensitivity import sensitivity as sensitivity
+    from viscodesign.studies.simulate import simulate as simulate
+    from viscodesign.studies.simulate_several import simulate_several as simulate_several
+    from viscodesign.studies.sweep import sweep as sweep
 
 _HOMES = {
     "AccuracyInterruptedError": ".results.accuracy_study",
@@ -105,11 +105,11 @@ _HOMES = {
     "accuracy": ".studies.accuracy",
     "SeveralRuns": ".results.several_runs",
     "SeveralScene": ".scene.several_scene",
-    "check": ".exploration.check",
+    "check": ".studies.check",
     "check_several": ".checks.check_several",
     "classify_several": ".checks.check_several",
     "load_several": ".loading",
-    "simulate_several": ".exploration.simulate_several",
+    "simulate_several": ".studies.simulate_several",
     "classify": ".checks.classify",
     "compare": ".comparison.compare",
     "compile": ".robot.compile",
@@ -119,11 +119,11 @@ _HOMES = {
     "load_robot": ".loading",
     "plan": ".pump.planning.plan",
     "reach": ".inverse.reach",
-    "sensitivity": ".exploration.sensitivity",
-    "simulate": ".exploration.simulate",
+    "sensitivity": ".studies.sensitivity",
+    "simulate": ".studies.simulate",
     "stand": ".robot.stand",
     "walk": ".robot.walk",
-    "sweep": ".exploration.sweep",
+    "sweep": ".studies.sweep",
 }
 """Where each name is imported from when it is first asked for: `--help` needs none of them."""
 

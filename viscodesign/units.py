@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
-from viscodesign.common_units import definitions, value_in_si
 from viscodesign.errors import described
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.values.common_units import definitions, value_in_si
 from viscodesign.values.grammar import GrammarError, ValueText, parse_value_text
 from viscodesign.values.repeated_units import repeated_units
 from viscodesign.values.unit_hints import AMBIGUOUS, unit_hint

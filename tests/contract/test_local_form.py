@@ -11,9 +11,9 @@ import pytest
 from tests.scenes import CONFIGS, leg, problem_of
 from viscodesign import load
 from viscodesign.effects.allowed_sets import AllowedSets
-from viscodesign.elements.kinds import Elements, value_of
-from viscodesign.elements.local_form import LocalForm
 from viscodesign.estimate.scene_quantities import SceneQuantities
+from viscodesign.model.elements.kinds import Elements, value_of
+from viscodesign.model.elements.local_form import LocalForm
 from viscodesign.model.rod import MINIMUM_EDGES
 from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.solve.problem import Problem

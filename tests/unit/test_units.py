@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
-from pathlib import Path
 
 import pint
 import pytest
@@ -15,8 +14,8 @@ from pydantic import TypeAdapter, ValidationError
 
 from tests.scenes import CONFIGS, ROOT
 from viscodesign import units
-from viscodesign.common_units import value_in_si
 from viscodesign.units import QuantityKind, all_units_registry, common_units_registry
+from viscodesign.values.common_units import definitions, value_in_si
 from viscodesign.values.grammar import GrammarError, parse_value_text
 
 LENGTH = TypeAdapter(units.Length)
@@ -173,9 +172,8 @@ def test_every_prefix_of_every_common_unit_agrees_with_pint() -> None:
 
 
 def dir_of_common_units() -> list[str]:
-    lines = (Path(units.__file__).with_name("units.txt")).read_text(encoding="utf-8").splitlines()
-    definitions = [line.split("=") for line in lines if "=" in line and not line.startswith("#")]
-    units_only = [d for d in definitions if not d[0].strip().endswith("-") and d[0].strip() != "pi"]
+    known = [line.split("=") for line in definitions() if "=" in line and not line.startswith("#")]
+    units_only = [d for d in known if not d[0].strip().endswith("-") and d[0].strip() != "pi"]
     return [name.strip() for d in units_only for name in (d[0], *d[2:])]
 
 

@@ -10,14 +10,14 @@ from viscodesign.calibration.misfit import Misfit, noise_groups
 from viscodesign.calibration.noise_level import NORMAL_MAD
 from viscodesign.calibration.spread import covariance_of
 from viscodesign.calibration.unknowns import ranges_of
-from viscodesign.exploration.least_squares import (
+from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.studies.least_squares import (
     BestSoFar,
     FitStatus,
     SearchLimits,
     least_squares,
 )
-from viscodesign.interrupt import StopRequest
-from viscodesign.lazy_dataclass import dataclass
 
 ROBUST_SCALE = 2.0
 """Residual, in standard deviations, from which it counts less while gross ones are sought."""

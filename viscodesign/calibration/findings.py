@@ -14,7 +14,6 @@ from viscodesign.calibration.profile_likelihood import NORMAL_95, Profiles
 from viscodesign.calibration.recorded_columns import KINDS
 from viscodesign.calibration.spread import Spread
 from viscodesign.calibration.unknowns import ranges_of
-from viscodesign.exploration.least_squares import AT_BOUND
 from viscodesign.interrupt import StopRequest
 from viscodesign.results.fit_result import (
     Edge,
@@ -23,6 +22,7 @@ from viscodesign.results.fit_result import (
     FittedRun,
     WhyUnknown,
 )
+from viscodesign.studies.least_squares import AT_BOUND
 
 OPEN_FROM = 1.0
 """Standard deviation of a step from which the data do not tell a number: its interval would reach

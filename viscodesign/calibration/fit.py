@@ -37,7 +37,6 @@ from viscodesign.calibration.unknowns import (
     scene_unknowns,
 )
 from viscodesign.errors import Fault, SpecError
-from viscodesign.exploration.least_squares import BestSoFar, FitStatus
 from viscodesign.interrupt import StopRequest, gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.fit_result import Experiment, Fit, FittedNumber, RunStatus
@@ -46,6 +45,7 @@ from viscodesign.scene.reading.markers_file import MarkersFile, read_markers
 from viscodesign.scene.reading.sources import SpecSource
 from viscodesign.scene.reading.write import resolved_sha256
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.least_squares import BestSoFar, FitStatus
 
 Progress = Callable[[float], None]
 TYPICAL_EVALUATIONS = 60.0

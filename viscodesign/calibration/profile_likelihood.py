@@ -15,9 +15,9 @@ import numpy as np
 from viscodesign.calibration.misfit import Misfit
 from viscodesign.calibration.spread import Spread
 from viscodesign.errors import ViscodesignError
-from viscodesign.exploration.least_squares import NumberRanges
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.studies.least_squares import NumberRanges
 
 NORMAL_95 = 1.959964
 """Standard deviations of a normal distribution that hold 95 %."""

@@ -12,14 +12,14 @@ from viscodesign.calibration.recording import Recording
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.errors import SpecError
-from viscodesign.exploration.all_effects import (
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.scene.scene import Scene
+from viscodesign.storage.lru_cache import LruCache
+from viscodesign.studies.all_effects import (
     felt_effects,
     with_all_effects,
     with_felt_effects,
 )
-from viscodesign.lazy_dataclass import dataclass
-from viscodesign.scene.scene import Scene
-from viscodesign.storage.lru_cache import LruCache
 
 TIMES_PER_ROW = 4
 """Output times between two rows where a clock is unknown, and channels lie between them."""

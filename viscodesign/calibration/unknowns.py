@@ -13,8 +13,8 @@ from viscodesign.calibration.run_model import RunModel
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.free_number import FreeNumber
 from viscodesign.errors import Fault, SpecError
-from viscodesign.exploration.least_squares import NumberRanges
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.least_squares import NumberRanges
 
 DEFAULT_KEYS = (
     "bellows.area_per_pressure",

@@ -18,7 +18,7 @@ def checked_several(scene: SeveralScene, lines: bool) -> SpecResult:
     """Every actuator's check; ``lines``: whether people read it."""
     from viscodesign.checks.check_several import check_several
     from viscodesign.cli.check import check_lines
-    from viscodesign.exploration.stated_uncertainty import stated_deviations
+    from viscodesign.studies.stated_uncertainty import stated_deviations
 
     found = check_several(scene)
     for own in scene.scenes.values():
@@ -35,9 +35,9 @@ def checked_several(scene: SeveralScene, lines: bool) -> SpecResult:
 def simulated_several(scene: SeveralScene, folder: Path, options: RunOptions) -> SpecResult:
     """Simulate several actuators and write their files."""
     from viscodesign.cli.progress import progress
-    from viscodesign.exploration.simulate_several import simulate_several
     from viscodesign.report.folder import new_folder
     from viscodesign.report.several_folder import write_several
+    from viscodesign.studies.simulate_several import simulate_several
 
     with new_folder(folder, force=options.files.force), progress(options.answer.quiet) as advance:
         found = simulate_several(scene, **options.solving, progress=advance, scratch=folder)

@@ -8,7 +8,6 @@ from typing import Protocol
 
 from viscodesign._version import __version__
 from viscodesign.errors import SolveError, UsageError
-from viscodesign.exploration.simulate import simulate
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.folder_names import folder_name, numbered
 from viscodesign.report.read_run import read_run
@@ -16,6 +15,7 @@ from viscodesign.report.run_folder import write_run
 from viscodesign.results.trajectory import RunInterruptedError, Trajectory
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.simulate import simulate
 
 
 class Progress(Protocol):

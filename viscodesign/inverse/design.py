@@ -9,7 +9,6 @@ import numpy as np
 
 from viscodesign.checks.written_numbers import written
 from viscodesign.errors import Fault, SolveError, SpecError, UsageError
-from viscodesign.exploration.parallel_rows import available_cores
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.inverse.alternatives import alternatives, with_modes_of
 from viscodesign.inverse.beyond_reach import beyond_reach
@@ -29,6 +28,7 @@ from viscodesign.scene.reading.read import Overrides
 from viscodesign.scene.reading.sources import SpecSource
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.parallel_rows import available_cores
 
 CONFIRM_SHARE = 0.85
 """Part of the budget that the search may take: the rest confirms."""

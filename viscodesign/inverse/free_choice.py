@@ -9,12 +9,12 @@ import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import Fault, SpecError, described, not_among
-from viscodesign.exploration.least_squares import NumberRanges
 from viscodesign.inverse.free_range import FreeRange, bounds
 from viscodesign.inverse.harmonic_input import HarmonicChoice
 from viscodesign.inverse.target_spec import FREE_FORM, ReadTarget
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.least_squares import NumberRanges
 
 GRAPH, INPUT, HARMONICS = "network.graph", "input", "harmonics"
 GraphChoice = Literal["keep", "chain", "tree"]

@@ -7,8 +7,8 @@ from typing import Any
 
 from viscodesign.checks.written_numbers import written
 from viscodesign.errors import Fault, SpecError, described
-from viscodesign.exploration.key_values import read_values
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.studies.key_values import read_values
 
 FAR = 100.0
 """Ratio to the spec's own number from which one without a unit is that of another unit."""

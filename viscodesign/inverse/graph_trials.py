@@ -11,11 +11,11 @@ from typing import Protocol
 
 import numpy as np
 
-from viscodesign.exploration.parallel_rows import Chunk, RowProcesses, compute_alone
 from viscodesign.interrupt import StopRequest
 from viscodesign.inverse.quick_fit import QuickCandidate, QuickFit
 from viscodesign.inverse.tree_graph import TreeGraph
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.studies.parallel_rows import Chunk, RowProcesses, compute_alone
 
 TRIALS_AT_ONCE = 4
 """Graphs that a process takes at once, and that are lost with it."""

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from viscodesign.errors import Fault, SpecError, described, did_you_mean
-from viscodesign.exploration.key_values import read_values
 from viscodesign.inverse.free_range import FreeRange, bounds
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.inputs.harmonics import MOST_HARMONICS, HarmonicsInput
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.key_values import read_values
 
 KEYS = ("harmonics", "period", "limits", "rate_limit")
 EXAMPLE = "{harmonics: 6, period: [5 s, 400 s], limits: [-25 kPa, 30 kPa]}"

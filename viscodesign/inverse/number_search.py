@@ -16,15 +16,6 @@ from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.compiled.function import CompiledFunction
 from viscodesign.compiled.outputs import TIP_COLUMNS
 from viscodesign.errors import SpecError
-from viscodesign.exploration.least_squares import (
-    AT_BOUND,
-    BestSoFar,
-    FitStatus,
-    LeastSquaresFit,
-    NumberRanges,
-    SearchLimits,
-    least_squares,
-)
 from viscodesign.inverse.confirmation import tip_of
 from viscodesign.inverse.harmonic_input import InputLimits
 from viscodesign.inverse.search_task import SearchTask
@@ -37,6 +28,15 @@ from viscodesign.inverse.tip_residuals import (
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
+from viscodesign.studies.least_squares import (
+    AT_BOUND,
+    BestSoFar,
+    FitStatus,
+    LeastSquaresFit,
+    NumberRanges,
+    SearchLimits,
+    least_squares,
+)
 
 MOST_ROUNDS = 3
 """Choices of effects in one search."""

@@ -7,7 +7,6 @@ from typing import Self
 import numpy as np
 
 from viscodesign.compiled.free_keys import FreeKeys
-from viscodesign.exploration.least_squares import SearchLimits, least_squares
 from viscodesign.inverse.number_search import NumberDesign, limits_of
 from viscodesign.inverse.quick_motion import QuickMotion
 from viscodesign.inverse.search_task import SearchTask
@@ -15,6 +14,7 @@ from viscodesign.inverse.tip_residuals import PathResiduals, distance
 from viscodesign.inverse.tree_graph import TreeGraph, sizes_of, straight, with_tree
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
+from viscodesign.studies.least_squares import SearchLimits, least_squares
 
 QUICK_EVALUATIONS = 40
 LENGTHS = ["network.tubes[*].length"]

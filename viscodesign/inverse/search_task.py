@@ -6,12 +6,12 @@ import time as clock
 from collections.abc import Callable
 from dataclasses import field
 
-from viscodesign.exploration.least_squares import DESCENT_REL_TOL
 from viscodesign.interrupt import StopRequest
 from viscodesign.inverse.free_choice import FreeChoice
 from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.path_design import HistoryRow
+from viscodesign.studies.least_squares import DESCENT_REL_TOL
 
 Progress = Callable[[float, float], None]
 """Called with the part of the time that is spent and the best distance so far [m]."""

@@ -12,10 +12,10 @@ from typing import Any, TypeVar
 import casadi as ca
 import numpy as np
 
-from viscodesign.elements.balances import BalanceLayout
-from viscodesign.elements.kinds import Elements, Law
-from viscodesign.elements.local_form import LocalForm
 from viscodesign.model.boundary_work import WorkSplit
+from viscodesign.model.elements.balances import BalanceLayout
+from viscodesign.model.elements.kinds import Elements, Law
+from viscodesign.model.elements.local_form import LocalForm
 from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.graph import Component, Tube
 from viscodesign.model.local_equations import LocalEquations

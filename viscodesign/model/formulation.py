@@ -25,9 +25,9 @@ from collections.abc import Hashable
 
 import casadi as ca
 
-from viscodesign.elements.local_form import local_form
 from viscodesign.model.boundary_work import MotionRates, WorkSplit, works_and_splits
 from viscodesign.model.contact_point import contact_friction, contact_paths
+from viscodesign.model.elements.local_form import local_form
 from viscodesign.model.equation_layout import EquationLayout
 from viscodesign.model.equations import Equations, SharedFormulas
 from viscodesign.model.fluid import Incompressible

@@ -13,9 +13,9 @@ from collections.abc import Iterator, Sequence
 import casadi as ca
 import numpy as np
 
-from viscodesign.elements.balances import Balances, Potential, Slope
-from viscodesign.elements.expression_graph import Leaves
 from viscodesign.model.boundary_work import FORCE_AND_PATH, MotionRates, works_and_splits
+from viscodesign.model.elements.balances import Balances, Potential, Slope
+from viscodesign.model.elements.expression_graph import Leaves
 from viscodesign.model.network_equations import NetworkEquations
 from viscodesign.model.rod_equations import ACCELERATIONS, RATES, RodEquations, RodForm
 from viscodesign.model.sums import GradientRows, Rows, rows_of

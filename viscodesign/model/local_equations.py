@@ -6,9 +6,9 @@ from dataclasses import field
 
 import casadi as ca
 
-from viscodesign.elements.assembly import CompiledForm
-from viscodesign.elements.local_form import LocalForm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.model.elements.assembly import CompiledForm
+from viscodesign.model.elements.local_form import LocalForm
 from viscodesign.model.taped_function import TapedFunction, TapeWithPatterns
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache

@@ -19,7 +19,7 @@ from viscodesign._version import __version__
 from viscodesign.model.structure import ModuleName
 
 PACKAGE = __name__.partition(".")[0]
-ROOMS = ("model", "elements", "physics", "solve", "postprocess")
+ROOMS = ("model", "physics", "solve", "postprocess")
 """Whose code makes formulas of a system, or functions of formulas."""
 TRUSTED = frozenset({PACKAGE, "casadi", "numpy"}) | sys.stdlib_module_names
 """Packages whose code is told by a version, or by its source."""

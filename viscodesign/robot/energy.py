@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import OPEN
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.physics.friction_problem import OPEN
 from viscodesign.results.gait_energy import GaitEnergy
 from viscodesign.robot.leg_design import LegDesign
 from viscodesign.robot.leg_network import barrel_volume, flow, specific_work

@@ -7,15 +7,15 @@ from dataclasses import replace
 import numpy as np
 from scipy.linalg import null_space
 
-from viscodesign.contact.friction_problem import (
+from viscodesign.errors import SolveError
+from viscodesign.lazy_dataclass import dataclass
+from viscodesign.physics.friction_problem import (
     OPEN,
     STICK,
     ContactError,
     FrictionProblem,
     States,
 )
-from viscodesign.errors import SolveError
-from viscodesign.lazy_dataclass import dataclass
 from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.robot_model import (
     LegGroup,

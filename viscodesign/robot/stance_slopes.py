@@ -18,8 +18,8 @@ import numpy as np
 
 from viscodesign.compiled.conditions import Tape
 from viscodesign.compiled.traced import Traced, formula_of, free_numbers
-from viscodesign.contact.friction_problem import DIRECTION, OPEN, STICK
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.physics.friction_problem import DIRECTION, OPEN, STICK
 from viscodesign.robot.build_robot import body_masses, mount_of
 from viscodesign.robot.leg_design import LegDesign, leg_design
 from viscodesign.robot.leg_equations import LOAD, shot_rod

@@ -17,9 +17,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import OPEN, ContactError, FrictionProblem, States
 from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.physics.friction_problem import OPEN, ContactError, FrictionProblem, States
 from viscodesign.robot.leg_equations import LOAD
 from viscodesign.robot.leg_pose import BODY, FOOT
 from viscodesign.robot.robot_model import (

@@ -9,9 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import OPEN
 from viscodesign.errors import Fault, SolveError, SpecError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.physics.friction_problem import OPEN
 from viscodesign.results.stand_study import Fall
 from viscodesign.results.walk_study import WalkStudy
 from viscodesign.robot.build_robot import build_robot, start_pressures

@@ -13,9 +13,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import ContactError, ContactState, FrictionProblem, States
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.rod_equations import CONTACT_FORCES, RodForm
+from viscodesign.physics.friction_problem import ContactError, ContactState, FrictionProblem, States
 from viscodesign.solve.contact_formulas import (
     filled,
     friction_coefficients,

@@ -14,9 +14,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.contact.friction_problem import ContactState
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.unknowns import Block
+from viscodesign.physics.friction_problem import ContactState
 from viscodesign.solve.contact_euler import ContactEuler, ContactPose
 from viscodesign.solve.problem import Problem
 from viscodesign.solve.statics import Instant

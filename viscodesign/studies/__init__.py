@@ -1,1 +1,1 @@
-"""Many simulations of one scene, and one answer."""
+"""Many simulations of a scene and one answer: accuracy, sweeps, sensitivities, bands."""

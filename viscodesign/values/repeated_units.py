@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 
-from viscodesign.common_units import dimensions, powers_of_names
+from viscodesign.values.common_units import dimensions, powers_of_names
 from viscodesign.values.grammar import OFFSET_UNITS
 
 RATIO = 2

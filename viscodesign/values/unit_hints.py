@@ -6,7 +6,7 @@ import re
 import unicodedata
 from typing import Protocol
 
-from viscodesign.common_units import value_in_si
+from viscodesign.values.common_units import value_in_si
 from viscodesign.values.slips import odd_letter
 
 _MEANT = {

@@ -13,8 +13,8 @@ from viscodesign.calibration.misfit import Unknown
 from viscodesign.calibration.noise_level import noise_level
 from viscodesign.calibration.profile_likelihood import Profiles
 from viscodesign.calibration.spread import covariance_of, spread_of
-from viscodesign.exploration.least_squares import NumberRanges
 from viscodesign.interrupt import StopRequest
+from viscodesign.studies.least_squares import NumberRanges
 
 
 def test_a_resistance_is_known_while_its_factors_are_not() -> None:

@@ -10,7 +10,7 @@ import pytest
 import viscodesign
 from tests.unit.cli.conftest import CONFIGS, Call
 from viscodesign.errors import SpecError
-from viscodesign.exploration import simulate_several
+from viscodesign.studies import simulate_several
 
 LEG, ROBOT = CONFIGS / "leg_16_straight_air.yaml", CONFIGS / "hexapod.yaml"
 COMMANDS: dict[str, list[str | Path]] = {

@@ -16,7 +16,7 @@ from viscodesign.cli.run_folders import own_folder
 def test_its_files_and_its_document(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("viscodesign.exploration.sampled_variance.SAMPLE_SIZE", 32)
+    monkeypatch.setattr("viscodesign.studies.sampled_variance.SAMPLE_SIZE", 32)
     tolerance = ["--tolerance", "network.tube_radius=5%", "--sobol"]
     assert main(["sensitivity", *LEG, *tolerance, "-o", str(tmp_path), "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
@@ -58,7 +58,7 @@ def test_an_interrupt_behind_the_slopes_keeps_them_and_says_so(
     def pressed(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(f"viscodesign.exploration.sensitivity.{place}", pressed)
+    monkeypatch.setattr(f"viscodesign.studies.sensitivity.{place}", pressed)
     words = ["--tolerance", "network.tube_radius=5%", "--sobol", "--no-plots"]
     assert main(["sensitivity", *LEG, *words, "-o", str(tmp_path)]) == 130
     said = capsys.readouterr()

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 from tests.scenes import CONFIGS
-from tests.unit.exploration.test_sweep import QUASI_STATIC
+from tests.unit.studies.test_sweep import QUASI_STATIC
 from viscodesign.cli.main import main
 
 LEG = [str(CONFIGS / "leg_4_air.yaml"), *(w for o in QUASI_STATIC for w in ("--set", o))]

@@ -29,9 +29,6 @@ from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import _catalogue
 from viscodesign.effects.effects_key import scene_key
 from viscodesign.errors import SpecError, UsageError
-from viscodesign.exploration.all_effects import with_felt_effects
-from viscodesign.exploration.stated_uncertainty import stated_deviations
-from viscodesign.exploration.swept_keys import swept_keys
 from viscodesign.inverse.alternatives import with_modes_of
 from viscodesign.loading import schema
 from viscodesign.pump.planning.scene_variants import planned
@@ -41,6 +38,9 @@ from viscodesign.scene.reading.edit import with_value
 from viscodesign.scene.reading.read import parse_scene
 from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.spec_part import SpecPart
+from viscodesign.studies.all_effects import with_felt_effects
+from viscodesign.studies.stated_uncertainty import stated_deviations
+from viscodesign.studies.swept_keys import swept_keys
 from viscodesign.units import Length
 
 CONFIG = "leg_4_air"

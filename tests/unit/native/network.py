@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from viscodesign.elements.kinds import pull_of, push_of
+from viscodesign.model.elements.kinds import pull_of, push_of
 from viscodesign.native.kernels import compile_kernels
 from viscodesign.native.loops import Loops, NativeLoops
 from viscodesign.native.source.primitives import PythonKernel

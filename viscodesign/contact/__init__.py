@@ -1,1 +1,0 @@
-"""Unilateral contact with Coulomb friction, by complementarity; numbers only."""
