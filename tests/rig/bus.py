@@ -6,7 +6,7 @@ import math
 
 from viscodesign.pump.ax.protocol.packets import OVERHEAD, Parser
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
+from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device
 
 LONGEST_GAP = 0.1
 """Between bytes of a packet [s]: servos drop what comes later (e-manual, Protocol 1.0)."""
@@ -16,12 +16,12 @@ class BusAdapter(Device):
     """What a USB adapter passes through both ways, ``latency`` seconds late back."""
 
     def __init__(self, bench: SimulatedBench, baud: int = 1_000_000, latency: float = 1e-3) -> None:
+        super().__init__()
         self.bench = bench
         self.latency = latency
         self._byte = BITS_PER_BYTE / baud
         self._parser = Parser()
         self._heard = -math.inf
-        self._outbox = Outbox()
 
     def feed(self, data: bytes, now: float) -> None:
         if now - self._heard > LONGEST_GAP:
@@ -32,11 +32,8 @@ class BusAdapter(Device):
             if answered is not None:
                 reply, delay = answered
                 moment += delay + (OVERHEAD + len(reply.parameters)) * self._byte
-                self._outbox.put(reply.encode(), moment + self.latency)
+                self.outbox.put(reply.encode(), moment + self.latency)
 
     def take(self, now: float) -> bytes:
         self.bench.advance(now)
-        return self._outbox.take(now)
-
-    def due(self) -> float:
-        return self._outbox.due()
+        return super().take(now)

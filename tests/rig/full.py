@@ -8,7 +8,7 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import BROADCAST, Instruction, Packet
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.simulated.firmware import Work
-from viscodesign.pump.simulated.pose_engine import LOOP, SIZE_POSE, PoseEngine
+from viscodesign.pump.simulated.pypose import LOOP, SIZE_POSE, PoseEngine
 from viscodesign.pump.simulated.ros import Pins, Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
 

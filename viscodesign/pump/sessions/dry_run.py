@@ -19,7 +19,7 @@ from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
 from viscodesign.pump.sessions.uploading import UploadSession
-from viscodesign.pump.simulated.plant import NoPressure
+from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
@@ -103,7 +103,7 @@ def _simulated_link(
 ) -> tuple[Connection, RecordingLine]:
     """A connection to a simulated pump that presses into nothing, and all that it sends."""
     clock, pump, ambient = SteppedClock(), pump_of(scene), scene.ambient_pressure
-    names, plant = tuple(scene.inputs), NoPressure()
+    names, plant = tuple(scene.inputs), Plant()
     device = kind.simulated_line(pump, len(names), clock, plant, ambient, poses=poses)
     line = RecordingLine(device)
     board = kind.simulated_board(poses)(line, pump.axes(len(names)))

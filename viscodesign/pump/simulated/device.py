@@ -18,35 +18,20 @@ class UnpluggedError(Exception):
     """The cable is out."""
 
 
-class Device(ABC):
-    """Knows neither ports nor clocks; moments never run backwards [s].
-
-    Raises `UnpluggedError` where its cable is out.
-    """
-
-    @abstractmethod
-    def feed(self, data: bytes, now: float) -> None:
-        """Take bytes that the host begins to send at this moment."""
-
-    @abstractmethod
-    def take(self, now: float) -> bytes:
-        """Bytes that have reached the host since the last call."""
-
-    @abstractmethod
-    def due(self) -> float:
-        """The earliest moment at which more can come; infinite while nothing will."""
-
-
 class Outbox:
-    """Bytes on their way to the host; none overtakes another."""
+    """Bytes on their way; none overtakes another."""
 
     def __init__(self) -> None:
         self._coming: list[tuple[float, bytes]] = []
 
+    @property
+    def last(self) -> float:
+        """When the last of them arrive; minus infinity where none are on their way."""
+        return self._coming[-1][0] if self._coming else -math.inf
+
     def put(self, data: bytes, moment: float) -> None:
         if data:
-            earliest = self._coming[-1][0] if self._coming else moment
-            self._coming.append((max(earliest, moment), data))
+            self._coming.append((max(self.last, moment), data))
 
     def take(self, now: float) -> bytes:
         arrived = [data for moment, data in self._coming if moment <= now]
@@ -55,6 +40,28 @@ class Outbox:
 
     def due(self) -> float:
         return self._coming[0][0] if self._coming else math.inf
+
+
+class Device(ABC):
+    """Knows neither ports nor clocks; moments never run backwards [s].
+
+    Raises `UnpluggedError` where its cable is out.
+    """
+
+    def __init__(self) -> None:
+        self.outbox = Outbox()
+
+    @abstractmethod
+    def feed(self, data: bytes, now: float) -> None:
+        """Take bytes that the host begins to send at this moment."""
+
+    def take(self, now: float) -> bytes:
+        """Bytes that have reached the host since the last call."""
+        return self.outbox.take(now)
+
+    def due(self) -> float:
+        """The earliest moment at which more can come; infinite while nothing will."""
+        return self.outbox.due()
 
 
 class DirectLine(Line):

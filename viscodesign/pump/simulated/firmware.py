@@ -34,10 +34,10 @@ class Firmware(Device):
     """Error byte that answers a wrong checksum."""
 
     def __init__(self, bench: SimulatedBench) -> None:
+        super().__init__()
         self.bench = bench
         self.now = 0.0
-        self._outbox = Outbox()
-        self._coming: list[tuple[float, int]] = []
+        self._coming = Outbox()
         self._inbox = bytearray()
         self._sent = 0.0
         self._program: Work | None = None
@@ -47,8 +47,6 @@ class Firmware(Device):
     def reset(self, now: float, boot: float = 0.0) -> None:
         """Power, the button or DTR: all is forgotten, and what comes meanwhile is lost."""
         self.now = now
-        self._inbox.clear()
-        self._coming = [(moment, byte) for moment, byte in self._coming if moment > now + boot]
         self._parameters = bytearray(LONGEST_LEN - 1)
         self._received = b""
         self.start()
@@ -81,18 +79,17 @@ class Firmware(Device):
 
     def feed(self, data: bytes, now: float) -> None:
         self.run(now)
-        moment = max(now, self._coming[-1][0] if self._coming else now)
+        moment = max(now, self._coming.last)
         for value in data:
             moment += BITS_PER_BYTE / self.baud
-            if moment >= self._deaf_until:
-                self._coming.append((moment, value))
+            self._coming.put(bytes([value]), moment)
 
     def take(self, now: float) -> bytes:
         self.run(now)
-        return self._outbox.take(now)
+        return super().take(now)
 
     def due(self) -> float:
-        return min(self._outbox.due(), self._next())
+        return min(super().due(), self._next())
 
     def run(self, until: float) -> None:
         """Run the processor up to a moment; the first call is power-on."""
@@ -110,14 +107,10 @@ class Firmware(Device):
         """When the processor has something to do."""
         if self._wake != WHEN_BYTES_COME:
             return self._wake
-        if self._inbox:
-            return self.now
-        return self._coming[0][0] if self._coming else NEVER
+        return self.now if self._inbox else self._coming.due()
 
     def _receive(self, now: float) -> None:
-        arrived = [byte for moment, byte in self._coming if moment <= now]
-        del self._coming[: len(arrived)]
-        self._inbox += bytes(arrived[: max(INBOX_SIZE - len(self._inbox), 0)])
+        self._inbox += self._coming.take(now)[: max(INBOX_SIZE - len(self._inbox), 0)]
 
     def read(self) -> int:
         """The next byte, or -1 where none is there."""
@@ -126,14 +119,14 @@ class Firmware(Device):
     def send(self, data: bytes) -> None:
         """Send at the port's speed, behind what is still going out."""
         self._sent = max(self._sent, self.now) + len(data) * BITS_PER_BYTE / self.baud
-        self._outbox.put(data, self._sent + LATENCY)
+        self.outbox.put(data, self._sent + LATENCY)
 
     def reply(self, id: int, error: int, data: bytes = b"") -> None:
         self.send(Packet(id, error, data).encode())
 
     def _loop(self, ready: float) -> Work:
-        self._deaf_until = ready
         yield ready
+        self._inbox.clear()
         while True:
             while (yield from self._byte()) != 0xFF:
                 pass

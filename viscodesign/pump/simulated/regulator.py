@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device, Outbox
+from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device
 from viscodesign.pump.simulated.plant import Plant
 
 BAUD = 9_600
@@ -24,12 +24,13 @@ class SimulatedRegulator(Device):
         self, full_scale: float, highest: int, response_time: float, plant: Plant | None = None
     ) -> None:
         """``full_scale``: gauge pressure [Pa] at the set-point ``highest``."""
+        super().__init__()
         self.full_scale, self.highest = full_scale, highest
         self.response_time = response_time
-        self.plant = plant
+        self.plant = plant or Plant()
         self.pressure = 0.0  # of the outlet, gauge [Pa]
         self.set_point = 0
-        self.pending, self.outbox = b"", Outbox()
+        self.pending = b""
         self.moment: float | None = None  # up to which it was computed [s]
 
     def feed(self, data: bytes, now: float) -> None:
@@ -39,12 +40,6 @@ class SimulatedRegulator(Device):
             self.advance(arrived)
             reply = self.answer(line.decode("ascii", "replace").strip()).encode() + b"\r\n"
             self.outbox.put(reply, arrived + THINKING_S + len(reply) * BITS_PER_BYTE / BAUD)
-
-    def take(self, now: float) -> bytes:
-        return self.outbox.take(now)
-
-    def due(self) -> float:
-        return self.outbox.due()
 
     def answer(self, command: str) -> str:
         """The reply to a command; a set-point is in force when it is given."""
@@ -72,5 +67,5 @@ class SimulatedRegulator(Device):
         goal = self.set_point * self.full_scale / self.highest
         share = 1.0 if self.response_time == 0.0 else -math.expm1(-seconds / self.response_time)
         self.pressure += share * (goal - self.pressure)
-        if self.plant is not None and seconds > 0.0:
+        if seconds > 0.0:
             self.plant.advance(seconds, np.array([self.pressure]))

@@ -12,8 +12,7 @@ from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.sessions.board_names import boards
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
-from viscodesign.pump.simulated.pose_engine import LOAD_POSE, LOAD_SEQ, LOOP, SIZE_POSE
-from viscodesign.pump.simulated.pypose import PyPose
+from viscodesign.pump.simulated.pypose import LOAD_POSE, LOAD_SEQ, LOOP, SIZE_POSE, PyPose
 from viscodesign.pump.simulated.ros import Ros
 
 DEVICES = {"dynamixel": BusAdapter, "arbotix-ros": Ros, "arbotix": PyPose}

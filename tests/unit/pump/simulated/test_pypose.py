@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from tests.pumps import HOME, bench
 from viscodesign.pump.ax.protocol import packets
 from viscodesign.pump.ax.protocol.packets import Packet, Parser
-from viscodesign.pump.simulated.pose_engine import FRAME
-from viscodesign.pump.simulated.pypose import PyPose
+from viscodesign.pump.simulated.pypose import FRAME, PyPose
 
 HELLO = packets.ping(253)
 PLAY = Packet(253, 10)
