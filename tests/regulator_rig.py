@@ -10,9 +10,8 @@ import numpy as np
 
 from viscodesign.interrupt import StopRequest
 from viscodesign.pump.boards.line_regulator import LineRegulator
-from viscodesign.pump.bus.byte_log import ByteLog
+from viscodesign.pump.bus.byte_log import LoggedLine, SentBytes
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.bus.line import RecordingLine
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.regulator import RegulatorKind
 from viscodesign.pump.play.stream import Stream
@@ -66,11 +65,12 @@ class RegulatorRig:
     def __post_init__(self) -> None:
         self.clock = SteppedClock()
         self.device = FaultyRegulator(100e3, HIGHEST_SET_POINT, self.spec.response_time)
-        self.line = RecordingLine(DirectLine(self.device, self.clock))
-        self.board = LineRegulator(self.line)
-        log = ByteLog(None, lambda message: None)
+        self.log = SentBytes()
+        self.board = LineRegulator(LoggedLine(DirectLine(self.device, self.clock), self.log))
         kind = RegulatorKind()
-        self.link = Connection(kind, self.board, log, self.clock, self.spec, AMBIENT, ("inlet",))
+        self.link = Connection(
+            kind, self.board, self.log, self.clock, self.spec, AMBIENT, ("inlet",)
+        )
         self.request = StopRequest()
         self.rows: list[TickReport] = []
         self.happen: Callable[[TickReport], None] = lambda report: None
@@ -97,5 +97,5 @@ class RegulatorRig:
     @property
     def set_points(self) -> list[int]:
         """Every set-point that was sent, in order."""
-        words = [sent.decode().split() for sent in self.line.sent]
+        words = [sent.decode().split() for sent in self.log.sent]
         return [int(word[1]) for word in words if word[0] == "SET"]

@@ -23,7 +23,7 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import StreamResult, TickReport
-from viscodesign.pump.sensors.base import BoardAnalog
+from viscodesign.pump.sensors.base import board_sensor
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 
 RATE = 30.0
@@ -53,7 +53,7 @@ def rehearsal() -> Rehearsal:
     ambient = scene.ambient_pressure
     line = ServoKind().simulated_line(scene.pump, 1, clock, plant, ambient)
     board = Simulated(line, planned.axes)
-    gauges = PressureReadings([BoardAnalog(board, 0).absolute], ambient)
+    gauges = PressureReadings([board_sensor(board, 0)], ambient)
     pump = ServoPump(board, scene.pump, planned.axes, gauges, clock)
     rows: list[tuple[float, ...]] = []
 

@@ -16,26 +16,15 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.boards.arbotix_ros import ArbotixRos
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.sensors.base import (
-    BoardAnalog,
-    PressureSource,
     SensorError,
     absolute_pressure,
+    board_sensor,
+    pressure_of,
     ratio_of,
 )
-from viscodesign.pump.sensors.phidget import Phidget
+from viscodesign.pump.sensors.phidget import phidget_sensor
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.ros import Ros
-
-
-class Given(PressureSource):
-    def __init__(self, *ratios: float) -> None:
-        self.ratios = list(ratios)
-
-    def ratio(self) -> float:
-        return self.ratios.pop(0) if len(self.ratios) > 1 else self.ratios[0]
-
-    def close(self) -> None:
-        pass
 
 
 @pytest.mark.parametrize(
@@ -54,23 +43,22 @@ def test_the_line_goes_both_ways(pressure: float) -> None:
 @pytest.mark.parametrize("ratio", [0.0, 19 / 1024, 1004 / 1024, 1.0])
 def test_rails_are_no_pressures(ratio: float) -> None:
     with pytest.raises(SensorError, match="open or shorted"):
-        Given(ratio).absolute()
+        pressure_of(ratio)
 
 
 @pytest.mark.parametrize("ratio", [30 / 1024, 1000 / 1024])
 def test_what_is_out_of_range_is_no_pressure(ratio: float) -> None:
     with pytest.raises(SensorError, match="20 to 400 kPa"):
-        Given(ratio).absolute()
+        pressure_of(ratio)
 
 
 def test_the_board_gives_the_pressure_within_its_eight_bits() -> None:
     pump = bench(1)
     board = ArbotixRos(DirectLine(Ros(pump), stepped()))
-    source = BoardAnalog(board, 0)
-    assert source.absolute() == pytest.approx(101_325, abs=1613 / 2 + 1)
+    read = board_sensor(board, 0)
+    assert read() == pytest.approx(101_325, abs=1613 / 2 + 1)
     pump.pressures = pump.pressures + 20e3
-    assert source.absolute() == pytest.approx(121_325, abs=1613 / 2 + 1)
-    source.close()
+    assert read() == pytest.approx(121_325, abs=1613 / 2 + 1)
 
 
 @pytest.mark.parametrize("rail", [0.0, 1.0])
@@ -78,12 +66,12 @@ def test_a_cut_wire_is_a_fault(rail: float) -> None:
     pump = bench(1)
     pins = BrokenPins(pump, broken={"A0": rail})
     with pytest.raises(SensorError, match="open or shorted"):
-        BoardAnalog(ArbotixRos(DirectLine(Ros(pump, pins), stepped())), 0).absolute()
+        board_sensor(ArbotixRos(DirectLine(Ros(pump, pins), stepped())), 0)()
 
 
 def test_a_board_without_pins_is_refused() -> None:
     with pytest.raises(PumpError, match="has no analog inputs"):
-        BoardAnalog(Dynamixel(DirectLine(Ros(bench(1)), stepped())), 0)
+        board_sensor(Dynamixel(DirectLine(Ros(bench(1)), stepped())), 0)
 
 
 # -- the vendor's library, stood in for -----------------------------------------------------
@@ -97,6 +85,7 @@ class Input:
     """What the library's object is asked."""
 
     trouble: Exception | None = None
+    closed = 0
 
     def setChannel(self, channel: int) -> None:  # noqa: N802
         self.channel = channel
@@ -111,7 +100,7 @@ class Input:
         return ratio_of(150e3)
 
     def close(self) -> None:
-        self.closed = True
+        type(self).closed += 1
 
 
 @pytest.fixture
@@ -130,13 +119,13 @@ def vendor(monkeypatch: pytest.MonkeyPatch) -> type[Input]:
 
 
 def test_a_phidget_gives_its_ratio(vendor: type[Input]) -> None:
-    source = Phidget(3)
-    assert source.absolute() == pytest.approx(150e3)
-    vendor.trouble = VendorError("detached")
-    with pytest.raises(SensorError, match="detached"):
-        source.absolute()
-    source.close()
-    source.close()
+    with phidget_sensor(3) as read:
+        assert read() == pytest.approx(150e3)
+        vendor.trouble = VendorError("detached")
+        with pytest.raises(SensorError, match="detached"):
+            read()
+        assert vendor.closed == 0
+    assert vendor.closed == 1
 
 
 @pytest.mark.parametrize(
@@ -144,11 +133,12 @@ def test_a_phidget_gives_its_ratio(vendor: type[Input]) -> None:
 )
 def test_a_phidget_that_is_not_there(vendor: type[Input], trouble: Exception, words: str) -> None:
     vendor.trouble = trouble
-    with pytest.raises(SensorError, match=words):
-        Phidget(0)
+    with pytest.raises(SensorError, match=words), phidget_sensor(0):
+        pass
+    assert vendor.closed == 1
 
 
 def test_a_missing_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "Phidget22", None)
-    with pytest.raises(PumpError, match=r"viscodesign\[phidgets\]"):
-        Phidget(0)
+    with pytest.raises(PumpError, match=r"viscodesign\[phidgets\]"), phidget_sensor(0):
+        pass

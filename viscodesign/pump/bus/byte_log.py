@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from viscodesign.errors import UsageError
-from viscodesign.pump.bus.line import ForwardingLine, Line
+from viscodesign.pump.bus.line import Line
+from viscodesign.pump.consent import Tell, ignore
 
 
 class ByteLog:
@@ -20,7 +20,7 @@ class ByteLog:
     and the work goes on.
     """
 
-    def __init__(self, path: Path | None, tell: Callable[[str], None]) -> None:
+    def __init__(self, path: Path | None, tell: Tell) -> None:
         self._path = path
         self._tell = tell
         self._torn = self._reported = False
@@ -49,38 +49,55 @@ class ByteLog:
             self._reported = True
             self._tell(f"{self._path}: {reason}; the byte log is incomplete from here on")
 
+    def bytes(self, kind: str, data: bytes, **fields: Any) -> None:
+        """Log bytes that went out or came in."""
+        self.event(kind, hex=data.hex(" "), **fields)
+
     def close(self) -> None:
         if self._file is not None:
             os.close(self._file)
             self._file = None
 
 
-class LoggedLine(ForwardingLine):
+class SentBytes(ByteLog):
+    """Keeps in memory all that is sent, and nothing else."""
+
+    def __init__(self) -> None:
+        super().__init__(None, ignore)
+        self.sent: list[bytes] = []
+
+    def bytes(self, kind: str, data: bytes, **fields: Any) -> None:
+        if kind == "tx":
+            self.sent.append(data)
+
+
+class LoggedLine(Line):
     """A line whose bytes are logged, after they went out or came in."""
 
     def __init__(self, line: Line, log: ByteLog) -> None:
-        super().__init__(line)
+        self.line = line
+        self.clock = line.clock
         self.log = log
 
     def write(self, data: bytes) -> None:
         try:
-            super().write(data)
+            self.line.write(data)
         except BaseException as error:
-            self.log.event("tx failed", hex=data.hex(" "), error=str(error))
+            self.log.bytes("tx failed", data, error=str(error))
             raise
-        self.log.event("tx", hex=data.hex(" "))
+        self.log.bytes("tx", data)
 
     def read(self, most: int, deadline: float) -> bytes:
-        return self._received(super().read(most, deadline))
+        return self._received(self.line.read(most, deadline))
 
     def drain(self) -> bytes:
-        return self._received(super().drain())
+        return self._received(self.line.drain())
 
     def _received(self, data: bytes) -> bytes:
         if data:
-            self.log.event("rx", hex=data.hex(" "))
+            self.log.bytes("rx", data)
         return data
 
     def close(self) -> None:
-        super().close()
+        self.line.close()
         self.log.event("closed")

@@ -31,35 +31,3 @@ class Line(ABC):
     @abstractmethod
     def close(self) -> None:
         """Release the port; calling it again does nothing."""
-
-
-class ForwardingLine(Line):
-    """Passes everything on to another line."""
-
-    def __init__(self, line: Line) -> None:
-        self.line = line
-        self.clock = line.clock
-
-    def write(self, data: bytes) -> None:
-        self.line.write(data)
-
-    def read(self, most: int, deadline: float) -> bytes:
-        return self.line.read(most, deadline)
-
-    def drain(self) -> bytes:
-        return self.line.drain()
-
-    def close(self) -> None:
-        self.line.close()
-
-
-class RecordingLine(ForwardingLine):
-    """Keeps all that is sent."""
-
-    def __init__(self, line: Line) -> None:
-        super().__init__(line)
-        self.sent: list[bytes] = []
-
-    def write(self, data: bytes) -> None:
-        self.sent.append(data)
-        super().write(data)

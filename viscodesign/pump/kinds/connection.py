@@ -10,8 +10,8 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.sensors.base import BoardAnalog
-from viscodesign.pump.sensors.phidget import Phidget
+from viscodesign.pump.sensors.base import board_sensor
+from viscodesign.pump.sensors.phidget import phidget_sensor
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pumps.base import SensorSpec
@@ -64,14 +64,13 @@ class Connection:
         sensors = each(self.pump.sensor if known else None, len(self.inlets))
         with contextlib.ExitStack() as opened:
             reads = [
-                self.kind.own_gauge(self, axis) if sensor is None else self._source(sensor, opened)
+                self.kind.own_gauge(self, axis) if sensor is None else self._sensor(sensor, opened)
                 for axis, sensor in zip(self.axes, sensors, strict=True)
             ]
             own = [k for k, sensor in enumerate(sensors) if sensor is None]
             yield PressureReadings(reads, self.ambient, self.inlets, exact=own)
 
-    def _source(self, sensor: SensorSpec, opened: contextlib.ExitStack) -> Callable[[], float]:
-        on_board = self.board.has_pins if sensor.on == "auto" else sensor.on == "board"
-        source = BoardAnalog(self.board, sensor.channel) if on_board else Phidget(sensor.channel)
-        opened.callback(source.close)
-        return source.absolute
+    def _sensor(self, sensor: SensorSpec, opened: contextlib.ExitStack) -> Callable[[], float]:
+        if self.board.has_pins if sensor.on == "auto" else sensor.on == "board":
+            return board_sensor(self.board, sensor.channel)
+        return opened.enter_context(phidget_sensor(sensor.channel))

@@ -8,7 +8,7 @@ and 0.2 to 4.8 V at 5 V.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from collections.abc import Callable
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.controller import Controller
@@ -35,46 +35,37 @@ class SensorError(PumpError):
     rule = "sensor"
 
 
-class PressureSource(ABC):
-    """Reads one sensor."""
-
-    @abstractmethod
-    def ratio(self) -> float:
-        """The sensor's output over its supply."""
-
-    def close(self) -> None:  # noqa: B027
-        """Release the sensor; calling it again does nothing."""
-
-    def absolute(self) -> float:
-        """Absolute pressure [Pa]; raises `SensorError` where the output is not a pressure."""
-        ratio = self.ratio()
-        if not LOWEST_RATIO <= ratio <= HIGHEST_RATIO:
-            raise SensorError(
-                f"the pressure sensor is open or shorted: it gives {ratio:.3f} of its supply. "
-                "Check its plug and its channel (`pump.sensor.channel`)"
-            )
-        pressure = absolute_pressure(ratio)
-        if not LOWEST <= pressure <= HIGHEST:
-            raise SensorError(
-                f"{pressure / 1e3:.1f} kPa absolute is outside the pressure sensor's range, "
-                "20 to 400 kPa"
-            )
-        return pressure
+def pressure_of(ratio: float) -> float:
+    """Absolute pressure [Pa]; raises `SensorError` where the output is not a pressure."""
+    if not LOWEST_RATIO <= ratio <= HIGHEST_RATIO:
+        raise SensorError(
+            f"the pressure sensor is open or shorted: it gives {ratio:.3f} of its supply. "
+            "Check its plug and its channel (`pump.sensor.channel`)"
+        )
+    pressure = absolute_pressure(ratio)
+    if not LOWEST <= pressure <= HIGHEST:
+        raise SensorError(
+            f"{pressure / 1e3:.1f} kPa absolute is outside the pressure sensor's range, "
+            "20 to 400 kPa"
+        )
+    return pressure
 
 
-class BoardAnalog(PressureSource):
-    """A sensor on an analog input of the board, as precise as the board's converter."""
+def board_sensor(board: Controller, channel: int) -> Callable[[], float]:
+    """What reads the absolute pressure [Pa] of a sensor on an analog input of the board.
 
-    def __init__(self, board: Controller, channel: int) -> None:
-        if not board.has_pins:
-            raise PumpError(
-                f"the board {board.name} has no analog inputs: leave out `pump.sensor`, connect it "
-                "to a kit (`pump.sensor.on: phidget`), or use a board that has them"
-            )
-        self._board, self._channel = board, channel
+    As precise as the board's converter. Raises `PumpError` where the board has no such inputs.
+    """
+    if not board.has_pins:
+        raise PumpError(
+            f"the board {board.name} has no analog inputs: leave out `pump.sensor`, connect it "
+            "to a kit (`pump.sensor.on: phidget`), or use a board that has them"
+        )
 
-    def ratio(self) -> float:
-        ratio = self._board.analog(self._channel)
+    def read() -> float:
+        ratio = board.analog(channel)
         if ratio is None:
-            raise PumpError(f"the board {self._board.name} has no analog input {self._channel}")
-        return ratio
+            raise PumpError(f"the board {board.name} has no analog input {channel}")
+        return pressure_of(ratio)
+
+    return read

@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
+from collections.abc import Callable, Iterator
 from types import ModuleType
-from typing import Any
 
 from viscodesign.errors import PumpError
-from viscodesign.pump.sensors.base import PressureSource, SensorError
+from viscodesign.pump.sensors.base import SensorError, pressure_of
 
 ATTACH_TIME_MS = 5000
 
 
-class Phidget(PressureSource):
-    """A ratio input of a Phidget interface kit."""
+@contextlib.contextmanager
+def phidget_sensor(channel: int) -> Iterator[Callable[[], float]]:
+    """What reads the absolute pressure [Pa] at a ratio input of a kit, released on leaving."""
+    library = _library("Phidget22.Devices.VoltageRatioInput")
+    failure: type[Exception] = _library("Phidget22.PhidgetException").PhidgetException
 
-    def __init__(self, channel: int) -> None:
-        library = _library("Phidget22.Devices.VoltageRatioInput")
-        self._failure: type[Exception] = _library("Phidget22.PhidgetException").PhidgetException
-        self._input: Any = None
+    def read() -> float:
         try:
-            self._input = library.VoltageRatioInput()
-            self._input.setChannel(channel)
-            self._input.openWaitForAttachment(ATTACH_TIME_MS)
-        except self._failure as error:
-            self.close()
+            return pressure_of(float(ratio_input.getVoltageRatio()))
+        except failure as error:
+            raise SensorError(f"the Phidget interface kit does not answer ({error})") from None
+
+    with contextlib.ExitStack() as opened:
+        try:
+            ratio_input = library.VoltageRatioInput()
+            opened.callback(ratio_input.close)
+            ratio_input.setChannel(channel)
+            ratio_input.openWaitForAttachment(ATTACH_TIME_MS)
+        except failure as error:
             raise SensorError(
                 f"no Phidget interface kit found for channel {channel} ({error}). Is it "
                 "plugged in, and does it have a udev rule?"
@@ -34,17 +41,7 @@ class Phidget(PressureSource):
                 f"the Phidgets library failed to start ({error}); it needs libusb-1.0: "
                 "sudo apt install libusb-1.0-0"
             ) from None
-
-    def ratio(self) -> float:
-        try:
-            return float(self._input.getVoltageRatio())
-        except self._failure as error:
-            raise SensorError(f"the Phidget interface kit does not answer ({error})") from None
-
-    def close(self) -> None:
-        if self._input is not None:
-            self._input.close()
-            self._input = None
+        yield read
 
 
 def _library(name: str) -> ModuleType:

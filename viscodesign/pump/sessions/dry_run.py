@@ -5,9 +5,8 @@ from __future__ import annotations
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.bus.byte_log import ByteLog
+from viscodesign.pump.bus.byte_log import LoggedLine, SentBytes
 from viscodesign.pump.bus.clock import SteppedClock
-from viscodesign.pump.bus.line import RecordingLine
 from viscodesign.pump.consent import ignore
 from viscodesign.pump.kinds.base import PumpKind
 from viscodesign.pump.kinds.connection import Connection
@@ -63,12 +62,12 @@ def rehearse(
 
 def rehearse_stream(session: StreamSession) -> Rehearsal:
     """The plan, and the packets that would set something."""
-    link, line = _simulated_link(session.kind, session.scene)
+    link, log = _simulated_link(session.kind, session.scene)
     pump = link.connected_pump()
     stream = session.stream_on(pump, StopRequest(), lambda tick: None)
     pump.connect()
     result = stream.play()
-    packets = [data for data in line.sent if link.board.sets(data)]
+    packets = [data for data in log.sent if link.board.sets(data)]
     lines = [
         HEADING,
         *session.description(),
@@ -78,12 +77,12 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
         f"  {link.board.shown(packets[-1])}",
         f"[dry run] {result_lines(result)[0]}",
     ]
-    return Rehearsal("\n".join(lines), tuple(line.sent))
+    return Rehearsal("\n".join(lines), tuple(log.sent))
 
 
 def rehearse_upload(session: UploadSession) -> Rehearsal:
     """The plan and the packets, those on the way to the start only counted."""
-    link, line = _simulated_link(kind_of(session.scene), session.scene, poses=True)
+    link, log = _simulated_link(kind_of(session.scene), session.scene, poses=True)
     pump, poses, request = link.connected_pump(), session.poses, StopRequest()
 
     def end_after_one_round(elapsed: float) -> None:
@@ -94,17 +93,17 @@ def rehearse_upload(session: UploadSession) -> Rehearsal:
     result = poses.play_on(pump, request, ignore, end_after_one_round)
     if result is not None and result.status == "stopped":
         raise PumpError(f"the simulated pump cannot play this: {result.reason}")
-    lines = [HEADING, *session.description(), *poses.sent_lines(line.sent)]
-    return Rehearsal("\n".join(lines), tuple(line.sent))
+    lines = [HEADING, *session.description(), *poses.sent_lines(log.sent)]
+    return Rehearsal("\n".join(lines), tuple(log.sent))
 
 
 def _simulated_link(
     kind: PumpKind, scene: Scene, *, poses: bool = False
-) -> tuple[Connection, RecordingLine]:
+) -> tuple[Connection, SentBytes]:
     """A connection to a simulated pump that presses into nothing, and all that it sends."""
     clock, pump, ambient = SteppedClock(), pump_of(scene), scene.ambient_pressure
     names, plant = tuple(scene.inputs), Plant()
     device = kind.simulated_line(pump, len(names), clock, plant, ambient, poses=poses)
-    line = RecordingLine(device)
-    board = kind.simulated_board(poses)(line, pump.axes(len(names)))
-    return Connection(kind, board, ByteLog(None, ignore), clock, pump, ambient, names), line
+    log = SentBytes()
+    board = kind.simulated_board(poses)(LoggedLine(device, log), pump.axes(len(names)))
+    return Connection(kind, board, log, clock, pump, ambient, names), log
