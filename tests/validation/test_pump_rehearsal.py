@@ -25,6 +25,7 @@ from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.sensors.base import board_sensor
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.simulated.device import DirectLine
 
 RATE = 30.0
 SENSOR_STEP = 1.0 / 256 / 0.002421 * 1e3
@@ -51,7 +52,7 @@ def rehearsal() -> Rehearsal:
     planned = plan(scene)
     clock, plant = SteppedClock(), ActuatorPlant(scene)
     ambient = scene.ambient_pressure
-    line = ServoKind().simulated_line(scene.pump, 1, clock, plant, ambient)
+    line = DirectLine(ServoKind().simulated_device(scene.pump, 1, plant, ambient), clock)
     board = Simulated(line, planned.axes)
     gauges = PressureReadings([board_sensor(board, 0)], ambient)
     pump = ServoPump(board, scene.pump, planned.axes, gauges, clock)

@@ -11,7 +11,6 @@ import pytest
 from tests.scenes import ROOT, leg
 from viscodesign.errors import SpecError, UsageError
 from viscodesign.pump import BoardAddress, calibrate, record, rehearse, status, upload
-from viscodesign.pump.bus.line import Line
 from viscodesign.pump.kinds.base import PumpKind
 from viscodesign.pump.kinds.servo import ServoKind
 from viscodesign.pump.planning.demand_kinds import demand_kind, pump_of
@@ -20,6 +19,7 @@ from viscodesign.pump.planning.motion import InletHistory, RequestedMotion
 from viscodesign.pump.sessions.board_names import boards_of, kind_behind, pump_kinds
 from viscodesign.pump.sessions.connection import connected
 from viscodesign.pump.sessions.dry_run import _simulated_link
+from viscodesign.pump.simulated.device import Device
 from viscodesign.scene.pump import DEFAULT_KIND, PUMP_KINDS
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.scene.scene import Scene
@@ -197,13 +197,15 @@ def test_a_simulated_device_is_told_the_number_of_inlets(
         scene = leg(ids, config="antagonistic_two_inlets")
     assert len(scene.inputs) == inlets
     told: list[int] = []
-    make = ServoKind.simulated_line
+    make = ServoKind.simulated_device
 
-    def line(self: ServoKind, pump: ServoPumpSpec, count: int, *rest: Any, **options: Any) -> Line:
+    def device(
+        self: ServoKind, pump: ServoPumpSpec, count: int, *rest: Any, **options: Any
+    ) -> Device:
         told.append(count)
         return make(self, pump, count, *rest, **options)
 
-    monkeypatch.setattr(ServoKind, "simulated_line", line)
+    monkeypatch.setattr(ServoKind, "simulated_device", device)
     with connected(BoardAddress(pace="max"), scene):
         pass
     _simulated_link(ServoKind(), scene)

@@ -26,14 +26,8 @@ COMPLIANCE_SLOPE = 32.0
 its compliance slopes (ROBOTIS e-manual)."""
 APPROACH_SPEED = 50.0
 """On the way to a start or back [counts/s]: 3.8 mm/s, half a minute for the whole rack."""
-SETTLE_SPEED = 45.0  # at the end of a path [counts/s]
 LARGEST_LEAD = 40.0
 """Most that is added to a goal for the load [counts]: beyond the slope nothing more is given."""
-FOLLOWING_ERROR = 60.0
-"""[counts]; the servo's controller needs an error of up to 32 to give all its torque."""
-WEAKNESS = "the plunger is blocked, or the torque limit is too low for the requested pressure"
-DEAD_BAND = 1.0  # [counts]: they are whole, and gears have play
-TRAVEL_TOLERANCE = 5
 LIMIT_STEPS = 6  # readings in which a torque limit may be lowered at the end of a motion
 ARMED_TOLERANCE = 3
 """The goal of a servo that gets its torque may be its position of a moment later [counts]."""
@@ -194,12 +188,13 @@ def axis_limits(settings: ServoPumpSpec) -> AxisLimits:
         lead_distance=COMPLIANCE_SLOPE,
         largest_lead=LARGEST_LEAD,
         approach_speed=APPROACH_SPEED,
-        settle_speed=SETTLE_SPEED,
-        following_error=FOLLOWING_ERROR,
-        weakness=WEAKNESS,
-        dead_band=DEAD_BAND,
-        settled_error=DEAD_BAND / 2,
-        travel_tolerance=TRAVEL_TOLERANCE,
+        settle_speed=45.0,
+        following_error=60.0,  # its controller needs up to 32 to give all its torque
+        weakness="the plunger is blocked, or the torque limit is too low for the requested "
+        "pressure",
+        dead_band=1.0,  # counts are whole, and gears have play
+        settled_error=0.5,
+        travel_tolerance=5,
         lowest_voltage=LOWEST_VOLTAGE,
         highest_temperature=HIGHEST_TEMPERATURE,
     )

@@ -10,8 +10,6 @@ from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.boards.controller import Controller
-from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.bus.line import Line
 from viscodesign.pump.consent import Confirm, ShowPosition, Tell
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.result import PumpPlan
@@ -19,6 +17,7 @@ from viscodesign.pump.play.axis import AxisState, FinalAxisState
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.pump.profile import Playback
+from viscodesign.pump.simulated.device import Device
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
@@ -126,17 +125,10 @@ class PumpKind(ABC):
         """The board of `--board simulated`; with ``poses``, one that plays them by itself."""
 
     @abstractmethod
-    def simulated_line(
-        self,
-        pump: Any,
-        inlets: int,
-        clock: Clock,
-        plant: Plant | None,
-        ambient: float,
-        *,
-        poses: bool = False,
-    ) -> Line:
-        """A line into that board, and a pump behind it. ``ambient``: absolute [Pa].
+    def simulated_device(
+        self, pump: Any, inlets: int, plant: Plant | None, ambient: float, *, poses: bool = False
+    ) -> Device:
+        """What that board talks to, and a pump behind it. ``ambient``: absolute [Pa].
 
         ``inlets``: number of inlets, so of axes; ``plant``: what the pump presses into; by
         default something closed.

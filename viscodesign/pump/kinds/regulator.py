@@ -10,7 +10,6 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.boards.controller import Controller
 from viscodesign.pump.boards.line_regulator import LineRegulator, SimulatedLineRegulator
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.bus.line import Line
 from viscodesign.pump.kinds.base import Channels, PumpKind
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand import PumpDemand
@@ -18,8 +17,8 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
 from viscodesign.pump.play.pump import Pump, Speeds, Steps
 from viscodesign.pump.play.verified import until_verified
-from viscodesign.pump.simulated.device import DirectLine
-from viscodesign.pump.simulated.plant import AMBIENT, Plant
+from viscodesign.pump.simulated.device import Device
+from viscodesign.pump.simulated.plant import Plant
 from viscodesign.pump.simulated.regulator import SimulatedRegulator
 from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT, RegulatorSpec
 from viscodesign.scene.scene import Scene
@@ -185,18 +184,16 @@ class RegulatorKind(PumpKind):
     def simulated_board(self, poses: bool) -> type[Controller]:
         return SimulatedLineRegulator
 
-    def simulated_line(
+    def simulated_device(
         self,
         pump: RegulatorSpec,
         inlets: int,
-        clock: Clock,
-        plant: Plant | None = None,
-        ambient: float = AMBIENT,
+        plant: Plant | None,
+        ambient: float,
         *,
         poses: bool = False,
-    ) -> Line:
-        device = SimulatedRegulator(pump.full_scale, HIGHEST_SET_POINT, pump.response_time, plant)
-        return DirectLine(device, clock)
+    ) -> Device:
+        return SimulatedRegulator(pump.full_scale, HIGHEST_SET_POINT, pump.response_time, plant)
 
     def simulated_pump(self) -> RegulatorSpec:
         return RegulatorSpec(full_scale=100e3)

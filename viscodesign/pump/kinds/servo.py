@@ -14,8 +14,6 @@ from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, 
 from viscodesign.pump.boards.arbotix import SimulatedArbotix
 from viscodesign.pump.boards.arbotix_ros import Simulated
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.bus.line import Line
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Channels, PumpKind
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
@@ -26,7 +24,7 @@ from viscodesign.pump.plunger.plunger_course import range_rows
 from viscodesign.pump.poses.upload import PoseUpload
 from viscodesign.pump.sensors.required_sensors import with_sensors
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
-from viscodesign.pump.simulated.device import DirectLine
+from viscodesign.pump.simulated.device import Device
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Pins, Ros
@@ -77,19 +75,18 @@ class ServoKind(PumpKind):
     def simulated_board(self, poses: bool) -> type[Board]:
         return SimulatedArbotix if poses else Simulated
 
-    def simulated_line(
+    def simulated_device(
         self,
         pump: ServoPumpSpec,
         inlets: int,
-        clock: Clock,
-        plant: Plant | None = None,
-        ambient: float = AMBIENT,
+        plant: Plant | None,
+        ambient: float,
         *,
         poses: bool = False,
-    ) -> Line:
-        """A line into a simulated ArbotiX: with the firmware for ROS, or with PyPose's."""
+    ) -> Device:
+        """A simulated ArbotiX: with the firmware for ROS, or with PyPose's."""
         bench = simulated_bench(pump, plant, ambient, inlets)
-        return DirectLine(PyPose(bench) if poses else Ros(bench, Pins(bench, ambient)), clock)
+        return PyPose(bench) if poses else Ros(bench, Pins(bench, ambient))
 
     def simulated_pump(self) -> ServoPumpSpec:
         given = {"syringe_diameter": "34.9 mm", "sensor": {"channel": 0}}

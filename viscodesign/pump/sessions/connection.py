@@ -17,6 +17,7 @@ from viscodesign.pump.kinds.base import PumpKind
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.sessions.board_names import board_kind, kind_behind
+from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
@@ -113,7 +114,8 @@ def connected(
     log, baud = ByteLog(address.log, tell), address.baud or board.baud
     try:
         if address.simulated:
-            line = kind.simulated_line(pump, len(names), clock, plant, ambient, poses=poses)
+            device = kind.simulated_device(pump, len(names), plant, ambient, poses=poses)
+            line: Line = DirectLine(device, clock)
         else:
             line = _serial_line(str(address.port), baud, clock)
         how = {"board": address.board, "port": address.port, "baud": baud}

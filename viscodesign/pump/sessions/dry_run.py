@@ -18,6 +18,7 @@ from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
 from viscodesign.pump.sessions.uploading import UploadSession
+from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
@@ -103,7 +104,8 @@ def _simulated_link(
     """A connection to a simulated pump that presses into nothing, and all that it sends."""
     clock, pump, ambient = SteppedClock(), pump_of(scene), scene.ambient_pressure
     names, plant = tuple(scene.inputs), Plant()
-    device = kind.simulated_line(pump, len(names), clock, plant, ambient, poses=poses)
+    device = kind.simulated_device(pump, len(names), plant, ambient, poses=poses)
     log = SentBytes()
-    board = kind.simulated_board(poses)(LoggedLine(device, log), pump.axes(len(names)))
+    line = LoggedLine(DirectLine(device, clock), log)
+    board = kind.simulated_board(poses)(line, pump.axes(len(names)))
     return Connection(kind, board, log, clock, pump, ambient, names), log
