@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
-from viscodesign.errors import PumpError, UsageError
+import math
+from collections.abc import Callable, Collection
+
+from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
 from viscodesign.pump.ax.hold import release
-from viscodesign.pump.ax.homing import find_travel
 from viscodesign.pump.ax.preflight import EepromChange, changes, id_change, identify
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.servo_state import position_of
 from viscodesign.pump.consent import Confirm, ShowPosition, require
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest
 from viscodesign.pump.kinds.connection import Connection
+from viscodesign.pump.play.pump import Pump
+from viscodesign.pump.play.ticks import Ticks
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.scene.pumps.servo import MAX_SERVO_COUNTS, ServoPumpSpec
 from viscodesign.scene.spec_part import copied
 
 HIGHEST_ID = 252
 """253 is the ArbotiX itself."""
+SEARCH_SPEED = 20.0  # [counts/s]: 1.5 mm/s.
+SEARCH_RATE = 20.0  # of the ticks [Hz]
+BACK_OFF = 10  # travel ends this far before the place where a switch lets go [counts]
+LARGEST_ERROR = 30  # A plunger this far behind its goal is blocked [counts]
 
 
 def calibrate(link: Connection, request: CalibrationRequest) -> Calibration:
@@ -123,3 +131,76 @@ def _by_hand(
     if not low <= home <= high or low == high:
         raise PumpError(f"home {home} is not between the ends, {low} and {high}; try again")
     return Calibration(home, (low, high))
+
+
+def find_travel(pump: Pump, stopped: Callable[[], bool]) -> tuple[int, int]:
+    """Both ends of travel of a connected pump's plunger [counts]; it is left at the low one.
+
+    Against limit switches, slowly. ``stopped``: whether somebody asked to stop. Whatever happens,
+    the plunger is held.
+    """
+    search = _Search(pump, stopped)
+    try:
+        pump.arm()
+        high = search.end("high", 1)
+        low = search.end("low", -1)
+    finally:
+        pump.hold()
+    if high - low < 4 * BACK_OFF:
+        raise PumpError(
+            f"the switches are at {low} and {high} counts: too close together; check their wiring"
+        )
+    return low, high
+
+
+class _Search:
+    """The plunger on its way to a switch, step by step; never on when something is wrong."""
+
+    def __init__(self, pump: Pump, stopped: Callable[[], bool]) -> None:
+        self.pump, self.stopped = pump, stopped
+        (self.servo,) = pump.axes
+        pump.reach = math.ceil(SEARCH_SPEED / SEARCH_RATE)
+
+    def end(self, end: str, sign: int) -> int:
+        """Go towards an end until its switch is pressed, then back until it lets go, and farther.
+
+        ``sign``: the direction of the counts towards it. Where travel ends on this side [counts].
+        """
+        barred = {"low": "high", "high": "low"}[end]
+        self._go(sign, barred, lambda pressed, _: end in pressed)
+        self._go(-sign, barred, lambda pressed, _: end not in pressed)
+        place = self.pump.positions[self.servo] - sign * BACK_OFF
+        self._go(-sign, barred, lambda _, position: (place - position) * sign >= 0)
+        return place
+
+    def _go(self, sign: int, barred: str, arrived: Callable[[Collection[str], int], bool]) -> None:
+        """In one direction until it is ``arrived``, by the pressed switches and the position."""
+        pump, servo = self.pump, self.servo
+        ticks = Ticks(pump.clock, 1.0 / SEARCH_RATE)
+        ticks.begin()
+        while True:
+            states, _, switches = pump.look()
+            pressed, position = switches.get(servo, frozenset()), states[servo].position
+            if self.stopped():
+                raise InterruptedRunError("stopped by the user; the plunger is held")
+            if states[servo].alarm:
+                raise PumpError(f"servo {servo} {states[servo].alarm}")
+            if barred in pressed:
+                raise PumpError(
+                    f"the switch at the {barred} end is pressed on the way to the other one: check "
+                    "its wiring, and that pump.limit_switches does not swap the pins"
+                )
+            if arrived(pressed, position):
+                return
+            goal = pump.goals[servo] + sign * pump.reach
+            if not pump.limits.travel[0] <= goal <= pump.limits.travel[1]:
+                raise PumpError(
+                    "the servo reached the end of its range without a switch being pressed"
+                )
+            if abs(goal - position) > LARGEST_ERROR:
+                raise PumpError(
+                    f"the plunger is stuck at {position} counts with no switch pressed: it is "
+                    "blocked, or the switch does not work"
+                )
+            pump.set_goals({servo: goal}, {servo: SEARCH_SPEED})
+            ticks.wait(lambda: not self.stopped())

@@ -9,11 +9,11 @@ import pytest
 from tests.pumps import pump as settings_of
 from tests.rig.full import BrokenPins
 from viscodesign.errors import InterruptedRunError, PumpError
-from viscodesign.pump.ax.homing import BACK_OFF, find_travel
 from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.boards.arbotix_ros import Simulated
 from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.kinds.servo_calibration import BACK_OFF, find_travel
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.device import DirectLine
