@@ -24,7 +24,7 @@ from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.play.path import led_in, top_speed
 from viscodesign.pump.play.safety_rules import LOST
 from viscodesign.pump.profile import Profile
-from viscodesign.pump.sensors.base import SensorError
+from viscodesign.pump.sensors.pressure_sensors import SensorError
 from viscodesign.pump.simulated.device import UnpluggedError
 
 REQUESTS = 150

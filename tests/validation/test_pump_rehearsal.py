@@ -23,8 +23,8 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import StreamResult, TickReport
-from viscodesign.pump.sensors.base import board_sensor
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.sensors.pressure_sensors import board_sensor
 from viscodesign.pump.simulated.device import DirectLine
 
 RATE = 30.0

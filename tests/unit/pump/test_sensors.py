@@ -15,14 +15,14 @@ from tests.rig.full import BrokenPins
 from viscodesign.errors import PumpError
 from viscodesign.pump.boards.arbotix_ros import ArbotixRos
 from viscodesign.pump.boards.dynamixel import Dynamixel
-from viscodesign.pump.sensors.base import (
+from viscodesign.pump.sensors.pressure_sensors import (
     SensorError,
     absolute_pressure,
     board_sensor,
+    phidget_sensor,
     pressure_of,
     ratio_of,
 )
-from viscodesign.pump.sensors.phidget import phidget_sensor
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.ros import Ros
 

@@ -10,9 +10,8 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.pump import Pump
-from viscodesign.pump.sensors.base import board_sensor
-from viscodesign.pump.sensors.phidget import phidget_sensor
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
+from viscodesign.pump.sensors.pressure_sensors import board_sensor, phidget_sensor
 from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pumps.base import SensorSpec
 from viscodesign.storage.cached_property import cached_property

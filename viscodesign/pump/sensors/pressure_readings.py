@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from viscodesign.pump.sensors.base import SensorError
+from viscodesign.pump.sensors.pressure_sensors import SensorError
 
 LARGEST_OFFSET = 6e3
 """A reading at rest this close to the ambient is the sensor's own error [Pa]: 1.5 % of span."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Instruction, Packet, Parser
 from viscodesign.pump.ax.protocol.transactions import ARBOTIX, ROS_MODEL
-from viscodesign.pump.sensors.base import HIGHEST_RATIO, LOWEST_RATIO, ratio_of
+from viscodesign.pump.sensors.pressure_sensors import HIGHEST_RATIO, LOWEST_RATIO, ratio_of
 from viscodesign.pump.simulated.bench import SimulatedBench
 from viscodesign.pump.simulated.firmware import Firmware, Work
 from viscodesign.pump.simulated.plant import AMBIENT
@@ -47,17 +47,16 @@ class Pins:
     def _grounded(self, name: str) -> bool:
         """Whether a switch connects the pin to ground now."""
         pump: ServoPumpSpec = self.bench.drives[0].pump
-        servos = self.bench.servos
         low, high = pump.travel
-        pairs = zip(servos, each(pump.limit_switches, len(servos)), strict=True)
-        for servo, switches in pairs:
-            if switches is not None and name == switches.low:
-                beyond = servo.position < low - SWITCH_DISTANCE
-            elif switches is not None and name == switches.high:
-                beyond = servo.position > high + SWITCH_DISTANCE
-            else:
-                continue
-            return beyond == (switches.normally == "open")
+        servos = self.bench.servos
+        for servo, pair in zip(servos, each(pump.limit_switches, len(servos)), strict=True):
+            if pair is not None and name in (pair.low, pair.high):
+                pressed = (
+                    servo.position < low - SWITCH_DISTANCE
+                    if name == pair.low
+                    else servo.position > high + SWITCH_DISTANCE
+                )
+                return pressed == (pair.normally == "open")
         return False
 
 
