@@ -127,10 +127,10 @@ def test_wrong_options_are_refused_before_planning(
 def test_a_broken_rule_exits_with_4_and_keeps_a_partial_record(
     call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from viscodesign.pump.ax import preflight, servo_pump
+    from viscodesign.pump.ax import servo_pump, servo_state
 
     monkeypatch.setattr(servo_pump, "HIGHEST_TEMPERATURE", 25.0)
-    monkeypatch.setattr(preflight, "HIGHEST_TEMPERATURE", 99.0)
+    monkeypatch.setattr(servo_state, "HIGHEST_TEMPERATURE", 99.0)
     told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")
     assert told.status == 4
     assert "STOPPED: temperature" in told.err

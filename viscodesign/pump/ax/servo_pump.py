@@ -7,10 +7,15 @@ from dataclasses import replace
 
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.hold import HOLD_SPEED, NOUN, hold, release
-from viscodesign.pump.ax.preflight import HIGHEST_TEMPERATURE, LOWEST_VOLTAGE, identify
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.servo_drive import ServoDrive
-from viscodesign.pump.ax.servo_state import ServoState, read_servo
+from viscodesign.pump.ax.servo_state import (
+    HIGHEST_TEMPERATURE,
+    LOWEST_VOLTAGE,
+    ServoState,
+    identify,
+    read_servo,
+)
 from viscodesign.pump.ax.torque_limit import TorqueLimits, free_speed, torque_limit
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, FoundAxis

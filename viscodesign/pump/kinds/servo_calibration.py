@@ -8,9 +8,8 @@ from collections.abc import Callable, Collection
 from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
 from viscodesign.pump.ax.hold import release
-from viscodesign.pump.ax.preflight import EepromChange, changes, id_change, identify
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.servo_state import position_of
+from viscodesign.pump.ax.servo_state import EepromChange, changes, id_change, identify, position_of
 from viscodesign.pump.consent import Confirm, ShowPosition, require
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest
 from viscodesign.pump.kinds.connection import Connection
