@@ -9,8 +9,8 @@ import pytest
 
 from tests.pumps import pump
 from viscodesign.pump.ax.protocol import registers
+from viscodesign.pump.ax.protocol.registers import COUNT_ANGLE
 from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.simulated.motor import MOTORS
 from viscodesign.pump.simulated.servo import SimulatedServo
 from viscodesign.scene.pumps.servo_motor import SERVOS, ServoType, model_title
 
@@ -20,11 +20,12 @@ servo_motor.SERVOS["own"] = servo_motor.ServoType("OWN-1", 99, 3.0, 2.0, 7.0)
 from tests.pumps import pump
 from viscodesign.errors import SpecError
 from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.simulated.motor import MOTORS
+from viscodesign.pump.simulated.servo import SimulatedServo
+from viscodesign.pump.ax.protocol.registers import MODEL
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 from tests.scenes import leg
 print(leg("pump.servo=own", config="leg_16_pump").pump.servo)
-print(axis_limits(pump(servo="own")).top_speed > 0.0, 99 in MOTORS)
+print(axis_limits(pump(servo="own")).top_speed > 0.0, SimulatedServo(model=99).get(MODEL) == 99)
 print(ServoPumpSpec.model_json_schema()["properties"]["servo"]["enum"])
 try:
     leg("pump.servo=owm", config="leg_16_pump")
@@ -51,7 +52,7 @@ def test_a_type_is_planned_simulated_and_identified_from_its_entry(name: str) ->
     assert servo.get(registers.MAX_TORQUE) == kind.max_torque
     assert model_title(kind.model) == kind.title
     # Without friction, at the supply of a spec.
-    free = MOTORS[kind.model].no_load_speed * 11.1 / 12.0
+    free = kind.no_load_speed / COUNT_ANGLE * 11.1 / 12.0
     assert axis_limits(pump(servo=name)).top_speed == pytest.approx(free)
 
 

@@ -12,8 +12,8 @@ import math
 from viscodesign.pump.ax.protocol import registers as table
 from viscodesign.pump.ax.protocol.packets import BROADCAST, ErrorBits, Instruction, Packet
 from viscodesign.pump.ax.protocol.registers import Register
-from viscodesign.pump.simulated.motor import MOTORS
-from viscodesign.scene.pumps.servo_motor import SERVOS_BY_MODEL
+from viscodesign.pump.simulated.motor import COOLING_TIME, HEATING, motor_output, motor_speed
+from viscodesign.scene.pumps.servo_motor import servos_by_model
 
 AMBIENT_TEMPERATURE = 25.0
 OVERLOAD_TIME = 1.0  # [s]; assumed
@@ -36,7 +36,7 @@ class SimulatedServo:
         self.voltage = 12.0
         self.temperature = AMBIENT_TEMPERATURE
         self.alarms = ErrorBits(0)  # overload and overheating since torque was last allowed again
-        self._model = model
+        self._type = servos_by_model()[model]
         self._held_back = 0.0
         self.factory_reset()
         self.set(table.ID, id)
@@ -60,10 +60,9 @@ class SimulatedServo:
 
     def factory_reset(self) -> None:
         self._initialise(0)
-        kind = SERVOS_BY_MODEL[self._model]
-        self.set(table.MODEL, kind.model)
-        self.set(table.TEMPERATURE_LIMIT, kind.temperature_limit)
-        self.set(table.MAX_TORQUE, kind.max_torque)
+        self.set(table.MODEL, self._type.model)
+        self.set(table.TEMPERATURE_LIMIT, self._type.temperature_limit)
+        self.set(table.MAX_TORQUE, self._type.max_torque)
         self.power_cycle()
 
     def _initialise(self, start: int) -> None:
@@ -182,14 +181,13 @@ class SimulatedServo:
     def advance(self, seconds: float, load: float) -> None:
         """Move for a short while; ``load`` pushes towards higher counts [N m]."""
         self.output = self._commanded() if self.awake else 0.0
-        motor = MOTORS[self._model]
-        free = motor.speed(self.output, self.voltage if self.awake else 0.0, load)
+        free = motor_speed(self._type, self.output, self.voltage if self.awake else 0.0, load)
         self.speed = self._limited(free, seconds)
         if 0.0 < abs(self.speed) < abs(free):
-            self.output = motor.output(self.speed, self.voltage, load)
+            self.output = motor_output(self._type, self.speed, self.voltage, load)
         self.position = min(max(self.position + self.speed * seconds, 0.0), float(table.FULL))
-        cooling = (self.temperature - AMBIENT_TEMPERATURE) / motor.cooling_time
-        self.temperature += seconds * (motor.heating * self.output**2 - cooling)
+        cooling = (self.temperature - AMBIENT_TEMPERATURE) / COOLING_TIME
+        self.temperature += seconds * (HEATING * self.output**2 - cooling)
         self._watch(seconds)
 
     @property

@@ -40,10 +40,14 @@ SERVOS = {
     "ax18a": ServoType("AX-18A", 18, 1.8, 2.2, _rpm(97.0), temperature_limit=75, max_torque=983),
 }
 """Types by their name in `pump.servo`. Another one of the series is a line here."""
-SERVOS_BY_MODEL = {servo.model: servo for servo in SERVOS.values()}
+
+
+def servos_by_model() -> dict[int, ServoType]:
+    """Types by the model number that they give."""
+    return {servo.model: servo for servo in SERVOS.values()}
 
 
 def model_title(model: int) -> str:
     """Name of the type with this model number, or the number."""
-    known = SERVOS_BY_MODEL.get(model)
+    known = servos_by_model().get(model)
     return known.title if known else f"model {model}"

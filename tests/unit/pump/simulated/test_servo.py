@@ -12,7 +12,8 @@ from viscodesign.pump.ax.protocol import packets, registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction, Packet
 from viscodesign.pump.ax.protocol.registers import COUNTS_PER_TURN, Register
 from viscodesign.pump.simulated.bench import SimulatedBench
-from viscodesign.pump.simulated.motor import MOTORS
+from viscodesign.pump.simulated.motor import FRICTION, motor_output, motor_speed
+from viscodesign.scene.pumps.servo_motor import SERVOS
 
 STALL_PRESSURE = 1.8 / 0.0148 / (math.pi * 0.0349**2 / 4)
 """Gauge at which the servo's 1.8 N m just hold the plunger [Pa]."""
@@ -59,7 +60,7 @@ def test_it_goes_at_the_speed_of_its_register() -> None:
 def test_speed_register_zero_is_full_speed() -> None:
     pump = at_pressure(0.0)
     set(pump, registers.GOAL_POSITION, 1000, 0.0)
-    free = 983 / 1023 - MOTORS[18].friction / 1.8
+    free = 983 / 1023 - FRICTION / 1.8
     assert get(pump, registers.PRESENT_POSITION, 0.2) == pytest.approx(
         HOME + 0.2 * free * 97 / 60 * COUNTS_PER_TURN, abs=1
     )
@@ -77,7 +78,7 @@ def test_it_slows_down_under_load_by_the_line_from_no_load_to_stall(share: float
     pump = at_pressure(share * STALL_PRESSURE)
     set(pump, registers.GOAL_POSITION, 1000, 0.0)
     a, b = (get(pump, registers.PRESENT_POSITION, t) for t in (0.1, 0.4))
-    expected = (983 / 1023 - share - MOTORS[18].friction / 1.8) * 97 / 60 * COUNTS_PER_TURN
+    expected = (983 / 1023 - share - FRICTION / 1.8) * 97 / 60 * COUNTS_PER_TURN
     assert (b - a) / 0.3 == pytest.approx(expected, rel=0.03)
 
 
@@ -94,16 +95,16 @@ def test_a_load_above_the_torque_limit_overloads_it_and_it_holds_nothing() -> No
 
 
 def test_without_torque_friction_alone_holds() -> None:
-    motor = MOTORS[18]
-    assert motor.speed(0.0, 12.0, 0.9 * motor.friction) == 0.0
-    assert motor.speed(0.0, 12.0, -2.0 * motor.friction) < 0.0
+    servo = SERVOS["ax18a"]
+    assert motor_speed(servo, 0.0, 12.0, 0.9 * FRICTION) == 0.0
+    assert motor_speed(servo, 0.0, 12.0, -2.0 * FRICTION) < 0.0
 
 
 def test_output_is_the_inverse_of_speed() -> None:
-    motor = MOTORS[12]
+    servo = SERVOS["ax12a"]
     for output in (0.9, -0.7):
-        speed = motor.speed(output, 11.1, 0.2)
-        assert motor.output(speed, 11.1, 0.2) == pytest.approx(output)
+        speed = motor_speed(servo, output, 11.1, 0.2)
+        assert motor_output(servo, speed, 11.1, 0.2) == pytest.approx(output)
 
 
 @pytest.mark.parametrize(
