@@ -138,7 +138,7 @@ def find_travel(pump: Pump, stopped: Callable[[], bool]) -> tuple[int, int]:
     Against limit switches, slowly. ``stopped``: whether somebody asked to stop. Whatever happens,
     the plunger is held.
     """
-    search = _Search(pump, stopped)
+    search = _EndSearch(pump, stopped)
     try:
         pump.arm()
         high = search.end("high", 1)
@@ -152,7 +152,7 @@ def find_travel(pump: Pump, stopped: Callable[[], bool]) -> tuple[int, int]:
     return low, high
 
 
-class _Search:
+class _EndSearch:
     """The plunger on its way to a switch, step by step; never on when something is wrong."""
 
     def __init__(self, pump: Pump, stopped: Callable[[], bool]) -> None:
