@@ -199,14 +199,14 @@ def test_a_real_board_with_an_unmonitored_inlet_is_refused(
 
 def test_going_without_one_sensor_keeps_the_others() -> None:
     from viscodesign import load
-    from viscodesign.pump.sensors.required_sensors import with_sensors
+    from viscodesign.pump.kinds.servo import ServoKind
 
     words = [word for word in PUMP if word != "--set"]
     some = load(TWO, [*words, ONE_SENSOR[1]])
-    assert with_sensors(some, simulated=False, without=True) is some
+    assert ServoKind().with_sensors(some, simulated=False, without=True) is some
     every = load(TWO, [*words, SENSORS[1]])
-    assert with_sensors(every, simulated=False, without=False) is every
-    without = with_sensors(every, simulated=False, without=True).pump
+    assert ServoKind().with_sensors(every, simulated=False, without=False) is every
+    without = ServoKind().with_sensors(every, simulated=False, without=True).pump
     assert without is not None
     assert without.sensor is None
 

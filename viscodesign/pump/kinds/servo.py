@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
+from viscodesign.errors import UsageError
 from viscodesign.plugins import members
 from viscodesign.pump.ax.hold import NOUN, stop_all
 from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
@@ -22,19 +23,22 @@ from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.plunger.plunger_course import range_rows
 from viscodesign.pump.poses.upload import PoseUpload
-from viscodesign.pump.sensors.required_sensors import with_sensors
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
 from viscodesign.pump.simulated.device import Device
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Pins, Ros
 from viscodesign.pump.simulated.servo import SimulatedServo
+from viscodesign.scene.per_inlet import each
+from viscodesign.scene.pumps.base import SensorSpec
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.scene.pumps.servo_motor import SERVOS
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import copied
 
 SCANNED_IDS = range(1, 9)
 """Servo ids that are tried where no spec names them."""
+BOARD_CHANNELS = 8  # analog inputs of a board
 HIGHEST_REPORTED_V = 25.5
 """What the servo's one byte of voltage can say [V]."""
 
@@ -93,7 +97,26 @@ class ServoKind(PumpKind):
         return ServoPumpSpec.model_validate(given)
 
     def with_sensors(self, scene: Scene, *, simulated: bool, without: bool) -> Scene:
-        return with_sensors(scene, simulated=simulated, without=without)
+        """The scene with a sensor at every inlet, or with those that the user does without removed.
+
+        A simulated board has them all. ``without``: where only some inlets have a sensor, these
+        are still read; where all have one, none is. Raises `UsageError` where a real board would
+        move a plunger whose pressure is not monitored.
+        """
+        inlets, pump = tuple(scene.inputs), scene.pump
+        assert pump is not None, "sensors belong to a pump"
+        sensors = each(pump.sensor, len(inlets))
+        blind = [name for name, sensor in zip(inlets, sensors, strict=True) if sensor is None]
+        if (0 < len(blind) < len(inlets)) if without else not blind:
+            return scene
+        if not (without or simulated):
+            raise UsageError(_without_sensor(blind, inlets))
+        # The first inlet's own sensor, if there is one; the others on free channels.
+        own = [sensor for sensor in sensors if sensor is not None]
+        free = set(range(BOARD_CHANNELS)) - {sensor.channel for sensor in own}
+        every = [*own, *(SensorSpec(channel=channel) for channel in sorted(free))]
+        chosen = None if without else dict(zip(inlets, every, strict=False))
+        return copied(scene, {"pump": copied(pump, {"sensor": chosen})})
 
     def channels(self, pump: ServoPumpSpec | None) -> Channels:
         return CHANNELS
@@ -140,3 +163,16 @@ def simulated_bench(
         servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
         servo.limit_angles(*pump.travel)
     return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))
+
+
+def _without_sensor(blind: list[str], inlets: tuple[str, ...]) -> str:
+    """What to do about inlets that no software would keep below the cap."""
+    missing, example = "the spec names no pressure sensor", "{channel: 0}"
+    if len(inlets) > 1:
+        missing += f" for {' and '.join(blind)}"
+        channels = ", ".join(f"{name}: {{channel: {k}}}" for k, name in enumerate(inlets))
+        example = f"{{{channels}}}"
+    return (
+        f"{missing}, so the pressure cap could not be enforced: add pump.sensor, like "
+        f"`sensor: {example}`, or use --without-sensor and rely on the servo's torque limit"
+    )
