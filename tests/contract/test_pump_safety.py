@@ -21,7 +21,7 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import ErrorBits, Instruction
 from viscodesign.pump.ax.servo_pump import APPROACH_SPEED
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
-from viscodesign.pump.play.path import led_in, top_speed
+from viscodesign.pump.play.path import led_in
 from viscodesign.pump.play.safety_rules import LOST
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.pressure_sensors import SensorError
@@ -340,7 +340,7 @@ def test_a_plunger_that_cannot_follow() -> None:
     for moment in MOMENTS:
         rig = Rig(reading=lambda pressure: 2e3)  # so that the cap does not act first
         streamed(rig, at(moment, lambda rig=rig: rig.press(99e3)))
-        limit = torque_limit(rig.spec, top_speed(rig.profile())) + NOTABLE
+        limit = torque_limit(rig.spec, rig.profile().top_speed) + NOTABLE
         ending = rig.play_armed()
         assert ending.status == "stopped"
         assert ending.rule in ("following", "travel", "servo_alarm"), ending

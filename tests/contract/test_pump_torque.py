@@ -23,9 +23,8 @@ from viscodesign.pump.boards.base import Board
 from viscodesign.pump.boards.dynamixel import Dynamixel
 from viscodesign.pump.bus.clock import SteppedClock
 from viscodesign.pump.kinds.servo import simulated_bench
-from viscodesign.pump.play.path import AROUND
 from viscodesign.pump.play.stream import Stream
-from viscodesign.pump.profile import Profile
+from viscodesign.pump.profile import AROUND, Profile
 from viscodesign.pump.sensors.pressure_readings import PressureReadings
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.scene.pumps.servo import ServoPumpSpec as Settings

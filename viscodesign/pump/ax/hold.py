@@ -13,8 +13,7 @@ from viscodesign.pump.ax.protocol.transactions import ServoError
 from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.base import Board, Goal
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import FinalAxisState
-from viscodesign.pump.play.verified import until_verified
+from viscodesign.pump.play.axis import FinalAxisState, until_verified
 
 NOUN = "servo"  # what an axis is called in messages
 HOLD_SPEED = 20

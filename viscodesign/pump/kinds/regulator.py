@@ -14,9 +14,14 @@ from viscodesign.pump.kinds.base import Channels, PumpKind
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.result import PumpPlan
-from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
+from viscodesign.pump.play.axis import (
+    AxisLimits,
+    AxisState,
+    FinalAxisState,
+    FoundAxis,
+    until_verified,
+)
 from viscodesign.pump.play.pump import Pump, Speeds, Steps
-from viscodesign.pump.play.verified import until_verified
 from viscodesign.pump.simulated.device import Device
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.pump.simulated.regulator import SimulatedRegulator

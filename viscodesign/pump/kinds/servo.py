@@ -20,7 +20,6 @@ from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import FinalAxisState
-from viscodesign.pump.play.path import top_speed
 from viscodesign.pump.plunger.plunger_course import range_rows
 from viscodesign.pump.poses.upload import PoseUpload
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
@@ -127,7 +126,7 @@ class ServoKind(PumpKind):
     def motion_rows(self, plan: PumpPlan, pump: ServoPumpSpec) -> list[tuple[str, str]]:
         course = plan.achievable
         assert isinstance(course, ServoCourse), "planned for a servo"
-        slow, fast = (torque_limit(pump, speed) for speed in (0.0, top_speed(plan.profile(course))))
+        slow, fast = (torque_limit(pump, speed) for speed in (0.0, plan.profile(course).top_speed))
         at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
         plunger, (_, pressure) = range_rows(course, pump, course.steps, plan.unit)
         return [

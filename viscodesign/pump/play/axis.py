@@ -7,10 +7,14 @@ says what one is, in SI. Every number about steps is the family's own.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.bus.clock import Clock
+
+RETRY_PAUSE = 0.02  # between tries of a hold [s]
+HOLD_TIMEOUT = 1.0  # to try for a verified one [s]
 
 
 @dataclass(frozen=True)
@@ -111,6 +115,23 @@ class FinalAxisState:
     def document(self) -> dict[str, Any]:
         """It for a program."""
         return {"id": self.axis, "verified": self.verified, "state": self.words}
+
+
+def until_verified(
+    axes: Sequence[int], clock: Clock, attempt: Callable[[int], FinalAxisState]
+) -> list[FinalAxisState]:
+    """Try each axis in turns until it is verified or the time is over; at least once."""
+    deadline = clock.now() + HOLD_TIMEOUT
+    left: dict[int, FinalAxisState] = {}
+    waiting = list(axes)
+    while waiting:
+        left |= {axis: attempt(axis) for axis in waiting}
+        waiting = [axis for axis in waiting if not left[axis].verified]
+        if clock.now() >= deadline:
+            break
+        if waiting:
+            clock.sleep(RETRY_PAUSE)
+    return [left[axis] for axis in axes]
 
 
 @dataclass(frozen=True)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import field
-from typing import ClassVar
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import Sample
 
-NOISE_SAMPLES = 2  # samples in succession that must agree where one alone may be noise
+Fault = Callable[[Sample], str | None]
+"""Receives a sample; what is wrong in it, in words."""
 
 
 @dataclass(frozen=True)
@@ -27,28 +26,24 @@ class Stop:
 
 
 @dataclass
-class Guard(ABC):
+class Guard:
     """One rule: broken where several samples in succession have its fault."""
 
-    rule: ClassVar[str]
-    samples: ClassVar[int] = 1
-    may_retreat: ClassVar[bool] = False
+    rule: str
+    """Its name, as records and messages have it."""
+    fault: Fault
+    samples: int = 1
+    may_retreat: bool = False
     """Whether the pump may be drawn back after this."""
     count: int = field(default=0, init=False)
 
-    def check(self, sample: Sample) -> str | None:
+    def check(self, sample: Sample) -> Stop | None:
         """Why the pump has to stop now; None where it may go on."""
-        reason = self._fault(sample)
+        reason = self.fault(sample)
         self.count = self.count + 1 if reason else 0
-        return reason if self.count >= self.samples else None
-
-    def name(self, sample: Sample) -> str:
-        """The rule, as records and messages have it."""
-        return self.rule
-
-    @abstractmethod
-    def _fault(self, sample: Sample) -> str | None:
-        """What is wrong in this sample."""
+        if reason is None or self.count < self.samples:
+            return None
+        return Stop(self.rule, reason, self.may_retreat)
 
 
 class Watch:
@@ -61,7 +56,6 @@ class Watch:
     def check(self, sample: Sample) -> Stop | None:
         """The alarm, once there is one: it stays."""
         # Every rule is asked every time, since they count.
-        reasons = [(guard, guard.check(sample)) for guard in self.guards]
-        broken = [Stop(g.name(sample), reason, g.may_retreat) for g, reason in reasons if reason]
-        self.stop = self.stop or next(iter(broken), None)
+        broken = [guard.check(sample) for guard in self.guards]
+        self.stop = self.stop or next(filter(None, broken), None)
         return self.stop

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, replace
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.profile import Profile
-from viscodesign.storage.cached_property import cached_property
 
-AROUND = 0.1  # An axis may be this much earlier or later than its path [s]
 SHORTEST = 0.1  # of such a way [s]
 LEARNING_RATE = 0.25  # part of the following error that is added to the goals in each tick
 ROUNDING = 1.0  # beyond which a target lies outside of a range: targets are whole [steps]
@@ -21,89 +19,30 @@ SPEED_MARGIN = 1.25
 """Factor on the speeds that are sent: an axis that is behind needs more than the path's speed."""
 
 
-@dataclass(frozen=True)
-class TargetPath:
-    """Set-points against time from the first tick on; S axes."""
-
-    profile: Profile
-    begins: float = math.inf
-    """Where the planned profile begins, from the first tick [s]."""
-    zero: float = math.inf
-    """Where the scene's own time begins, from the first tick [s]."""
-
-    @property
-    def duration(self) -> float:
-        """Duration of all of it [s]."""
-        return self.profile.duration
-
-    def goals(self, elapsed: float) -> np.ndarray:
-        """(S,) targets, not rounded."""
-        return self.profile.at(elapsed)
-
-    def expected_pressure(self, elapsed: float) -> tuple[float | None, ...]:
-        """(S,) gauge pressure that the model expects [Pa]; None on the way to the profile."""
-        profile = self.profile
-        if elapsed < self.begins:
-            return (None,) * len(profile.inlets)
-        return tuple(float(np.interp(elapsed, profile.time, p)) for p in profile.pressure.T)
-
-    def paces(self, elapsed: float) -> dict[int, float]:
-        """By axis, the highest speed about this moment [steps/s]."""
-        time = self.profile.time
-        first = max(int(np.searchsorted(time, elapsed - AROUND, "right")) - 1, 0)
-        last = int(np.searchsorted(time, elapsed + AROUND, "left"))
-        highest = self._speeds[first:last].max(axis=0, initial=0.0)
-        return dict(zip(self.profile.axes, highest.tolist(), strict=True))
-
-    @cached_property
-    def _speeds(self) -> np.ndarray:
-        """(T - 1, S) between two instants each [steps/s]."""
-        rise: np.ndarray = np.abs(np.diff(self.profile.steps, axis=0))
-        return rise / np.diff(self.profile.time)[:, None]
-
-    @cached_property
-    def top_speed(self) -> float:
-        """Speed of its steepest part [steps/s]."""
-        return float(self._speeds.max(initial=0.0))
-
-    def reach(self, seconds: float) -> int:
-        """Largest step in a time, rounded up and one more for rounding [steps]."""
-        return math.ceil(self.top_speed * seconds) + 1
-
-
-def top_speed(profile: Profile) -> float:
-    """Speed of a profile's steepest part [steps/s]."""
-    return TargetPath(profile).top_speed
-
-
-def led_in(
-    profile: Profile, present: Mapping[int, int], speed: float, lead: float = 0.0
-) -> TargetPath:
+def led_in(profile: Profile, present: Mapping[int, int], speed: float) -> Profile:
     """A profile behind a slow way to its first targets.
 
-    ``present``: position of each axis [steps]; ``speed``: of that way [steps/s]; ``lead``: part of
-    the profile that lies before the scene's own start [s].
+    ``present``: position of each axis [steps]; ``speed``: of that way [steps/s].
     """
     here = np.array([[float(present[axis]) for axis in profile.axes]])
     way = float(np.max(np.abs(profile.steps[0] - here), initial=0.0)) / speed
     # Not at once even where it is there already: times have to rise.
     begins = max(way, SHORTEST)
-    joined = Profile(
-        inlets=profile.inlets,
-        axes=profile.axes,
+    return replace(
+        profile,
         time=np.concatenate(([0.0], profile.time + begins)),
         steps=np.concatenate((here, profile.steps)),
         pressure=np.concatenate((profile.pressure[:1], profile.pressure)),
+        begins=begins,
     )
-    return TargetPath(joined, begins, begins + lead)
 
 
-def way_back(profile: Profile, goals: Mapping[int, int], home: int, speed: float) -> TargetPath:
+def way_back(profile: Profile, goals: Mapping[int, int], home: int, speed: float) -> Profile:
     """From the goals in force to home at a speed [steps/s]; no pressure is expected on the way."""
     here = np.array([float(goals[axis]) for axis in profile.axes])
-    counts = np.stack((here, np.full_like(here, home)))
+    steps = np.stack((here, np.full_like(here, home)))
     time = np.array([0.0, max(float(np.abs(here - home).max()) / speed, SHORTEST)])
-    return TargetPath(Profile(profile.inlets, profile.axes, time, counts, np.zeros_like(counts)))
+    return Profile(profile.inlets, profile.axes, time, steps, np.zeros_like(steps), math.inf)
 
 
 @dataclass
@@ -115,7 +54,7 @@ class SetPoints:
     the load as it is observed.
     """
 
-    path: TargetPath
+    path: Profile
     period: float
     """Time between two ticks [s]."""
     limits: AxisLimits
@@ -129,7 +68,7 @@ class SetPoints:
 
         ``positions`` [steps] as read when the axes should have been at a place [s].
         """
-        for axis, goal in zip(self.path.profile.axes, self.path.goals(place), strict=True):
+        for axis, goal in zip(self.path.axes, self.path.at(place), strict=True):
             error = float(goal) - positions[axis]
             dead_band = self.limits.dead_band if dead_band is None else dead_band
             lead = self.behind.setdefault(axis, 0.0)
@@ -142,10 +81,10 @@ class SetPoints:
         self, place: float, goals: Mapping[int, int], reach: int
     ) -> tuple[dict[int, int], dict[int, float]]:
         """Goals [steps], within reach of those in force, and speeds [steps/s] to get there."""
-        now, then = self.path.goals(place), self.path.goals(place + self.period)
+        now, then = self.path.at(place), self.path.at(place + self.period)
         aims: dict[int, int] = {}
         speeds: dict[int, float] = {}
-        for k, axis in enumerate(self.path.profile.axes):
+        for k, axis in enumerate(self.path.axes):
             speed = float(then[k] - now[k]) / self.period
             lead = self.limits.lead_distance * speed / self.limits.top_speed
             aim = float(then[k]) + self.behind.get(axis, 0.0) + lead

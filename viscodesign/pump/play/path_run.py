@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import field
 
 from viscodesign.interrupt import StopRequest
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.guard import Guard, Stop, Watch
-from viscodesign.pump.play.path import (
-    SetPoints,
-    TargetPath,
-)
+from viscodesign.pump.play.path import SetPoints
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.pump.play.ticks import Ticks
+from viscodesign.pump.profile import Profile
 
 CATCH_UP = 1.5
 """A late stream goes along its path this many times as fast as planned, until it is in time."""
@@ -21,35 +21,30 @@ SETTLE_TIME = 2.0  # for the last of a following error to go, at the end of a pr
 SETTLED_READINGS = 2  # in succession, that show the axes at the end of their path
 
 
+@dataclass
 class PathRun:
     """One way along a path, until its end, a stop, or one more request than was heard."""
 
-    def __init__(
-        self,
-        pump: Pump,
-        ticks: Ticks,
-        request: StopRequest,
-        observe: Callable[[Sample, Stop | None], None],
-        path: TargetPath,
-        guards: list[Guard],
-        *,
-        heard: int = 0,
-        relief: float | None = None,
-    ) -> None:
-        """``observe`` is given every sample, and the rule that it breaks.
+    pump: Pump
+    ticks: Ticks
+    request: StopRequest
+    observe: Callable[[Sample, Stop | None], None]
+    """Is given every sample, and the rule that it breaks."""
+    path: Profile
+    guards: list[Guard]
+    heard: int = 0
+    """Requests to stop that came before."""
+    relief: float | None = None
+    """The way is over where no inlet is above this gauge pressure [Pa]."""
+    relieved: bool = field(default=False, init=False)
+    place: float = field(default=0.0, init=False)
+    """How far it is along the path, from its start [s]."""
+    moment: float = field(default=0.0, init=False)
+    """When that was, since the first tick [s]."""
 
-        ``heard``: requests to stop that came before; ``relief``: the way is over where no inlet
-        is above this gauge pressure [Pa].
-        """
-        self.pump, self.ticks, self.request, self.observe = pump, ticks, request, observe
-        self.path = path
-        self.watch = Watch(guards)
-        self.heard = heard
-        self.relief = relief
-        self.relieved = False
-        self.points = SetPoints(path, self.ticks.period, self.pump.limits)
-        self.place = self.moment = 0.0
-        """How far it is along the path, and when that was, since the first tick [s]."""
+    def __post_init__(self) -> None:
+        self.watch = Watch(self.guards)
+        self.points = SetPoints(self.path, self.ticks.period, self.pump.limits)
 
     def go(self) -> StreamResult:
         """Ticks along the path, then until the axes are at its end."""
@@ -79,7 +74,7 @@ class PathRun:
 
     def _errors(self) -> dict[int, float]:
         """By axis, from where it was last read to the end of the path [steps]."""
-        ends = zip(self.path.profile.axes, self.path.profile.steps[-1], strict=True)
+        ends = zip(self.path.axes, self.path.steps[-1], strict=True)
         return {axis: abs(float(end) - self.pump.positions[axis]) for axis, end in ends}
 
     def _arrived(self, within: float) -> bool:

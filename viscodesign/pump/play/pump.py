@@ -9,9 +9,11 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
+from dataclasses import KW_ONLY, field
 from typing import Any, ClassVar
 
 from viscodesign.errors import PumpError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
 from viscodesign.pump.play.axis import AxisLimits, AxisState, FinalAxisState, FoundAxis
 from viscodesign.pump.play.guard import Stop
@@ -23,6 +25,7 @@ Steps = Mapping[int, int]  # targets by axis [steps]
 Speeds = Mapping[int, float]  # by axis [steps/s]
 
 
+@dataclass(eq=False)
 class Pump(ABC):
     """Axes that move together; all that moves them goes through here.
 
@@ -33,31 +36,23 @@ class Pump(ABC):
     reading_share: ClassVar[float] = 0.8
     """Share of a tick that reading may take; the rest is left for sending and recording."""
 
-    def __init__(
-        self,
-        board: Any,
-        settings: Any,
-        axes: Sequence[int],
-        gauges: PressureReadings,
-        clock: Clock,
-        *,
-        switches: bool = True,
-    ) -> None:
-        """``switches``: whether its limit switches are read, where it has some."""
-        self.board = board  # a controller
-        self.settings = settings  # the section of its kind in a spec; None without a spec
-        self.identity = ""  # what the board said of itself
-        self.axes = tuple(axes)
-        self.gauges = gauges
-        self.switches = switches
-        self.clock = clock
-        self.armed = False
-        self.alarm: Stop | None = None
-        self.goals: dict[int, int] = {}  # targets in force [steps]
-        self.positions: dict[int, int] = {}  # last read [steps]
-        self.read_at = -math.inf  # when, about: between question and answer [s of the clock]
-        self.reach = 1
-        """Farthest that a target may lie from the one before [steps]: one tick's travel."""
+    board: Any  # a controller
+    settings: Any  # the section of its kind in a spec; None without a spec
+    axes: Sequence[int]
+    gauges: PressureReadings
+    clock: Clock
+    _: KW_ONLY
+    switches: bool = True
+    """Whether its limit switches are read, where it has some."""
+    identity: str = field(default="", init=False)  # what the board said of itself
+    armed: bool = field(default=False, init=False)
+    alarm: Stop | None = field(default=None, init=False)
+    goals: dict[int, int] = field(default_factory=dict, init=False)  # targets in force [steps]
+    positions: dict[int, int] = field(default_factory=dict, init=False)  # last read [steps]
+    read_at: float = field(default=-math.inf, init=False)
+    """When, about: between question and answer [s of the clock]."""
+    reach: int = field(default=1, init=False)
+    """Farthest that a target may lie from the one before [steps]: one tick's travel."""
 
     @property
     @abstractmethod

@@ -4,26 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import KW_ONLY
+from functools import partial
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
-from viscodesign.pump.play.axis import FinalAxisState, Sample
+from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, Sample
 from viscodesign.pump.play.guard import Guard, Stop
-from viscodesign.pump.play.path import (
-    ROUNDING,
-    TargetPath,
-    led_in,
-    top_speed,
-    way_back,
-)
+from viscodesign.pump.play.path import ROUNDING, led_in, way_back
 from viscodesign.pump.play.path_run import CATCH_UP, PathRun
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.safety_rules import retreat_rules, stream_rules
 from viscodesign.pump.play.stream_result import (
     OnStop,
-    OutsideTravelError,
     RecordingError,
     StreamResult,
     TickReport,
@@ -83,30 +77,31 @@ class Stream:
             return StreamResult.interrupted(self.request)
         (low, high), steps = self.pump.limits.travel, self.profile.steps
         if steps.min() < low - ROUNDING or steps.max() > high + ROUNDING:
-            raise OutsideTravelError(
+            words = (
                 f"the profile goes from {steps.min():.0f} to {steps.max():.0f} "
-                f"{self.pump.limits.unit}, outside "
-                f"of travel [{low}, {high}]; nothing was sent"
+                f"{self.pump.limits.unit}, outside of travel [{low}, {high}]; nothing was sent"
             )
+            return StreamResult("stopped", words, "travel", may_retreat=False)
         if not self.pump.armed:
-            self.pump.arm(top_speed(self.profile))
-        path = led_in(self.profile, self.pump.goals, self.pump.limits.approach_speed, self.lead)
-        self.origin = self.pump.clock.now() + path.zero
-        rules = stream_rules(self.pump.limits, self._reach(path), self.max_lag)
-        return self._run(path, rules).go()
+            self.pump.arm(self.profile.top_speed)
+        path = led_in(self.profile, self.pump.goals, self.pump.limits.approach_speed)
+        self.origin = self.pump.clock.now() + path.begins + self.lead
+        return self._along(path, partial(stream_rules, max_lag=self.max_lag))
 
-    def _run(
-        self, path: TargetPath, rules: list[Guard], heard: int = 0, relief: float | None = None
-    ) -> PathRun:
-        parts = self.pump, self.ticks, self.request, self._report, path, rules
-        return PathRun(*parts, heard=heard, relief=relief)
+    def _along(
+        self,
+        path: Profile,
+        rules: Callable[[AxisLimits, int], list[Guard]],
+        heard: int = 0,
+        relief: float | None = None,
+    ) -> StreamResult:
+        guards = rules(self.pump.limits, path.reach(CATCH_UP * self.ticks.period))
+        parts = self.pump, self.ticks, self.request, self._report, path, guards
+        return PathRun(*parts, heard, relief).go()
 
     def _report(self, sample: Sample, stop: Stop | None) -> None:
         time = self.pump.read_at - self.origin
         self.observe(TickReport(time, sample, self.ticks.skipped, stop))
-
-    def _reach(self, path: TargetPath) -> int:
-        return path.reach(CATCH_UP * self.ticks.period)
 
     def _come_to_rest(self) -> None:
         """Hold first, whatever comes then; a request repeated at any time releases the pump."""
@@ -130,9 +125,8 @@ class Stream:
         pump = self.pump
         try:
             path = way_back(self.profile, pump.goals, pump.limits.home, pump.limits.approach_speed)
-            guards = retreat_rules(pump.limits, self._reach(path))
             heard = int(self.result.status == "interrupted")
-            back = self._run(path, guards, heard, relief).go()
+            back = self._along(path, retreat_rules, heard, relief)
         except PumpError as error:
             back = StreamResult("stopped", str(error))
         self.result.retreat = "" if back.status == "complete" else back.reason

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import field
-from typing import Literal
+from typing import Any, Literal
 
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
@@ -20,12 +20,6 @@ class RecordingError(PumpError):
     """What observes the ticks cannot keep them: the disk is full, or gone."""
 
     rule = "record"
-
-
-class OutsideTravelError(PumpError):
-    """A profile would leave the calibrated travel."""
-
-    rule = "travel"
 
 
 @dataclass(frozen=True)
@@ -64,3 +58,7 @@ class StreamResult:
     def verified(self) -> bool:
         """Whether every axis was read back as it was left."""
         return bool(self.standing) and all(one.verified for one in self.standing)
+
+    def outcome(self) -> dict[str, Any]:
+        """Why it ended, and whether it is at rest, for a program."""
+        return {"reason": self.reason, "rule": self.rule, "hold_verified": self.verified}

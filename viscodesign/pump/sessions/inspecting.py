@@ -13,9 +13,9 @@ from viscodesign.interrupt import StopRequest, stop_on_signals
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.consent import Tell, ignore
 from viscodesign.pump.kinds.connection import Connection
-from viscodesign.pump.play.axis import FinalAxisState, FoundAxis
-from viscodesign.pump.play.listening import listen
-from viscodesign.pump.play.pump import Pressed
+from viscodesign.pump.play.axis import FinalAxisState, FoundAxis, Sample
+from viscodesign.pump.play.pump import Pressed, Pump
+from viscodesign.pump.play.ticks import Ticks
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.record_file import recorded
 from viscodesign.scene.scene import Scene
@@ -136,9 +136,12 @@ def record(
             recorded(path, link.inlets, facts, link.kind.channels(link.pump)) as file,
             stop_on_signals(stop) as request,
         ):
-            how: Any = {"rate": rate, "duration": duration}
+            pump, ticks = link.connected_pump(gauges), Ticks(link.clock, 1.0 / rate)
+            ticks.begin()
             try:
-                ticks = listen(link.connected_pump(gauges), request, file.add, **how)
+                while not request.asked and (duration is None or ticks.elapsed <= duration):
+                    file.add(ticks.now, _heard(pump))
+                    ticks.wait(lambda: not request.asked)
             except PumpError as error:
                 file.state("stopped", reason=str(error))
                 raise
@@ -148,6 +151,14 @@ def record(
             link.log.event("ended", status=status, **ticks.document())
             file.state(status, ticks=ticks.document())
             return RecordReport(status, file.rows, path, *who)
+
+
+def _heard(pump: Pump) -> Sample:
+    """What a pump shows that somebody else moves, or nobody; no pressure is expected."""
+    states, pressure, pressed = pump.look()
+    goals = {axis: state.goal for axis, state in states.items()}
+    expected = (None,) * len(pressure)
+    return Sample(pump.clock.now(), states, pressure, expected, pressed, goals, goals)
 
 
 def _refuse_options(path: Path, address: BoardAddress, rate: float, duration: float | None) -> None:

@@ -14,7 +14,7 @@ from viscodesign.pump.ax.servo_pump import (
     axis_limits,
     speed_register,
 )
-from viscodesign.pump.play.path import SetPoints, TargetPath
+from viscodesign.pump.play.path import SetPoints
 from viscodesign.pump.profile import Profile
 
 PERIOD = 1 / 30
@@ -25,9 +25,7 @@ def points(speed: float) -> SetPoints:
     time = np.array([0.0, 10.0])
     counts = np.array([[500.0], [500.0 + 10.0 * speed]])
     profile = Profile(("inlet",), (1,), time, counts, np.zeros((2, 1)))
-    return SetPoints(
-        TargetPath(profile, 0.0, 0.0), PERIOD, replace(axis_limits(pump()), top_speed=FREE)
-    )
+    return SetPoints(profile, PERIOD, replace(axis_limits(pump()), top_speed=FREE))
 
 
 def test_a_slow_ramp_steps_by_single_counts_at_its_own_speed() -> None:
