@@ -100,12 +100,12 @@ class Answer:
         lines: Iterable[str],
         files: Sequence[Path] | None = None,
     ) -> None:
-        """Print a document as JSON, with the files that were written, or its lines of text."""
+        """Print a document as JSON, with the files that were written, or its lines, if any."""
         if self.json:
             written = {} if files is None else {"files": [str(file) for file in files]}
             say(json_text({**document, **written}))
-        elif not self.quiet:
-            say("\n".join(lines))
+        elif not self.quiet and (text := "\n".join(lines)):
+            say(text)
 
     def remark(self, text: str) -> None:
         """Print what there is to say beside it on standard error."""

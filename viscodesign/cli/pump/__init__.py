@@ -11,7 +11,7 @@ import pkgutil
 import typer
 
 from viscodesign.cli.options import with_single_options
-from viscodesign.cli.pump._board_help import PumpCommand
+from viscodesign.cli.pump._options import PumpCommand
 
 pump = typer.Typer(
     name="pump",

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from viscodesign.cli.options import Debug, Overrides, Quiet, Spec
-from viscodesign.cli.pump._options import Baud, DryRun, Log, Port, RealBoard, Yes
+from viscodesign.cli.pump._options import DryRun, RealBoard, Wire, Yes
 from viscodesign.errors import UsageError
 
 EXAMPLE = """\b
@@ -22,9 +22,9 @@ READ_INTERVAL_S = 0.1
 
 def command(
     spec: Spec,
+    *,
     board: RealBoard,
-    port: Port = None,
-    baud: Baud = None,
+    wire: Wire,
     keep: Annotated[
         bool, typer.Option("--keep", help="Take the spec's home and travel; measure nothing.")
     ] = False,
@@ -35,7 +35,6 @@ def command(
     write: Annotated[
         bool, typer.Option("--write", help="Put home and travel into the spec's file.")
     ] = False,
-    log: Log = None,
     yes: Yes = False,
     dry_run: DryRun = False,
     overrides: Overrides = None,
@@ -52,7 +51,7 @@ def command(
     from viscodesign import load
     from viscodesign.cli.confirm import asking
     from viscodesign.cli.output import complain, say
-    from viscodesign.pump import BoardAddress, calibrate
+    from viscodesign.pump import calibrate
     from viscodesign.pump.sessions.calibrating import calibration_steps
     from viscodesign.scene.reading.edit import write_values
 
@@ -61,7 +60,7 @@ def command(
         return say("\n".join(calibration_steps(scene, keep, ids)))
     found = calibrate(
         scene,
-        BoardAddress(board, port, baud, log=log),
+        wire.to(board),
         confirm=asking(yes=yes),
         vented=asking(yes=False),
         by_hand=_position_by_hand,

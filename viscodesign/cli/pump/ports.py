@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import TYPE_CHECKING
 
-from viscodesign.cli.options import Debug, Json, Quiet
+from viscodesign.cli.options import Answer
 
 if TYPE_CHECKING:
     from viscodesign.pump.bus.ports import Port
@@ -15,19 +15,15 @@ Example:
   viscodesign pump ports"""
 
 
-def command(json: Json = False, quiet: Quiet = False, _debug: Debug = False) -> None:
+def command(*, answer: Answer) -> None:
     """List serial ports, opening none.
 
     Also says what would make a slow one faster.
     """
-    from viscodesign.cli.output import json_text, say
     from viscodesign.pump.bus import ports
 
     found = ports.ports()
-    if json:
-        say(json_text({"ports": [asdict(port) for port in found]}))
-    elif not quiet:
-        say("\n".join(_lines(found)))
+    answer.give({"ports": [asdict(port) for port in found]}, _lines(found))
 
 
 def _lines(found: list[Port]) -> list[str]:

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet
-from viscodesign.cli.pump._options import Baud, Board, Log, OptionalSpec, Pace, Port, optional_scene
+from viscodesign.cli.options import Answer, Overrides
+from viscodesign.cli.pump._options import Board, OptionalSpec, Pace, Wire, optional_scene
 
 EXAMPLE = """\b
 Examples:
@@ -29,15 +29,12 @@ def command(
     rate: Annotated[
         float, typer.Option("--rate", metavar="HZ", help="Rows per second, up to 100.")
     ] = 30.0,
+    *,
     board: Board = "simulated",
-    port: Port = None,
-    baud: Baud = None,
+    wire: Wire,
     pace: Pace = "1",
-    log: Log = None,
     overrides: Overrides = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    answer: Answer,
 ) -> None:
     """Record what the pump's sensors show.
 
@@ -45,14 +42,10 @@ def command(
     simulator's and those of `pump stream`. Without a spec all axes that answer are
     recorded, and no pressure.
     """
-    from viscodesign.cli.output import complain, json_text, say
-    from viscodesign.pump import BoardAddress, record
+    from viscodesign.cli.output import complain
+    from viscodesign.pump import record
 
-    address = BoardAddress(board, port, baud, pace, log)
-    scene = optional_scene(spec, overrides)
+    address, scene = wire.to(board, pace), optional_scene(spec, overrides)
     report = record(output, address, scene, rate=rate, duration=duration, tell=complain)
-    if json:
-        say(json_text(report.document()))
-    elif not quiet:
-        say(f"{address.label}{report.rows} rows in {output}")
+    answer.give(report.document(), [f"{address.label}{report.rows} rows in {output}"])
     report.raise_failure()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet
-from viscodesign.cli.pump._options import Baud, Board, Log, OptionalSpec, Port, optional_scene
+from viscodesign.cli.options import Answer, Overrides
+from viscodesign.cli.pump._options import Board, OptionalSpec, Wire, optional_scene
 from viscodesign.errors import PumpError
 
 if TYPE_CHECKING:
@@ -19,29 +19,22 @@ Examples:
 
 def command(
     spec: OptionalSpec = None,
+    *,
     board: Board = "simulated",
-    port: Port = None,
-    baud: Baud = None,
-    log: Log = None,
+    wire: Wire,
     overrides: Overrides = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    answer: Answer,
 ) -> None:
     """Show the axes that answer.
 
     With a spec, pressure and switches too. Only reads: nothing is switched, nothing is
     written. Exits with 4 where an axis must not be moved as it is, and says why.
     """
-    from viscodesign.cli.output import complain, json_text, say
-    from viscodesign.pump import BoardAddress, status
+    from viscodesign.cli.output import complain
+    from viscodesign.pump import status
 
-    address = BoardAddress(board, port, baud, log=log)
-    found = status(address, optional_scene(spec, overrides), tell=complain)
-    if json:
-        say(json_text(found.document()))
-    elif not quiet:
-        say("\n".join(_lines(found)))
+    found = status(wire.to(board), optional_scene(spec, overrides), tell=complain)
+    answer.give(found.document(), _lines(found))
     if found.objections:
         raise PumpError("\n".join(["the pump must not be moved as it is:", *found.objections]))
 

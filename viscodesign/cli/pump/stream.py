@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Overrides, Quiet, Spec
-from viscodesign.cli.pump._options import Achievable, Baud, Board, DryRun, Log, Pace, Port, Yes
+from viscodesign.cli.options import Answer, Overrides, Spec
+from viscodesign.cli.pump._options import Achievable, Board, DryRun, Pace, Wire, Yes
 
 EXAMPLE = """\b
 Examples:
@@ -19,9 +19,9 @@ Examples:
 
 def command(
     spec: Spec,
+    *,
     board: Board = "simulated",
-    port: Port = None,
-    baud: Baud = None,
+    wire: Wire,
     rate: Annotated[
         float, typer.Option("--rate", metavar="HZ", help="Set-points per second, 10 to 100.")
     ] = 30.0,
@@ -47,13 +47,10 @@ def command(
             "--output", "-o", metavar="DIR", help="Its folder; runs/<name>-stream by default."
         ),
     ] = None,
-    log: Log = None,
     yes: Yes = False,
     dry_run: DryRun = False,
     overrides: Overrides = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    answer: Answer,
 ) -> None:
     """Play a spec's pressures, monitored at every tick.
 
@@ -63,31 +60,28 @@ def command(
     simulator's columns, record.json and log.jsonl (every byte) to one folder.
     """
     from viscodesign.cli.confirm import asking
-    from viscodesign.cli.output import complain, json_text, say
+    from viscodesign.cli.output import complain
     from viscodesign.cli.progress import progress
     from viscodesign.cli.run_folders import named_folder
     from viscodesign.cli.specs import read_pumped
     from viscodesign.cli.texts.live_view import live_view
-    from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_stream
     from viscodesign.pump.sessions.streaming import StreamSession
 
     scene = read_pumped(spec, overrides)
-    address = BoardAddress(board, port, baud, pace, log)
+    address, quiet = wire.to(board, pace), answer.quiet
     with progress(quiet, "planning", "planning") as advance:
         # `on_stop` is one of the words, as the session checks.
         options: Any = (rate, on_stop, achievable, without_sensor, advance, dry_run)
         session = StreamSession(scene, address, *options)
     if dry_run:
-        text = rehearse_stream(session).text
-        document = {"status": "dry run", "lines": text.splitlines()}
-        return say(json_text(document) if json else text)
+        lines = rehearse_stream(session).text.splitlines()
+        return answer.give({"status": "dry run", "lines": lines}, lines)
     folder = named_folder(scene.name, output, "-stream")
     confirm = asking(yes=yes, quiet=quiet)
     with live_view(session.plan, session.settings, address.label, quiet) as show:
         report = session.perform(folder, confirm=confirm, tell=complain, on_tick=show)
     if report.status == "complete" and not quiet:
         complain("\n".join(report.lines))
-    if json:
-        say(json_text(report.document()))
+    answer.give(report.document(), ())
     return report.raise_failure()

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from viscodesign.cli.options import Debug, Json, Overrides, PictureStyle, PictureWidth, Quiet, Spec
-from viscodesign.cli.pump._options import Achievable, Baud, Board, DryRun, Force, Log, Port, Yes
+from viscodesign.cli.options import Answer, Overrides, PictureStyle, PictureWidth, Spec
+from viscodesign.cli.pump._options import Achievable, Board, DryRun, Force, Wire, Yes
 from viscodesign.errors import UsageError
 from viscodesign.report.picture_options import PictureOptions, picture_options
 
@@ -30,9 +30,9 @@ VOLATILE = (
 
 def command(
     spec: Spec,
+    *,
     board: Board = "arbotix",
-    port: Port = None,
-    baud: Baud = None,
+    wire: Wire,
     play: Annotated[bool, typer.Option("--play", help="Play it once.")] = False,
     loop: Annotated[bool, typer.Option("--loop", help="Loop it until Ctrl-C.")] = False,
     tolerance: Annotated[
@@ -59,13 +59,10 @@ def command(
     width: PictureWidth = None,
     force: Force = False,
     achievable: Achievable = False,
-    log: Log = None,
     yes: Yes = False,
     dry_run: DryRun = False,
     overrides: Overrides = None,
-    json: Json = False,
-    quiet: Quiet = False,
-    _debug: Debug = False,
+    answer: Answer,
 ) -> None:
     """Fit a spec's pressures to 30 poses and 46 moves, for an ArbotiX to play.
 
@@ -76,17 +73,16 @@ def command(
     """
     pictures = picture_options("png", style, width)
     from viscodesign.cli.confirm import asking
-    from viscodesign.cli.output import complain, json_text, say
+    from viscodesign.cli.output import complain
     from viscodesign.cli.progress import progress
     from viscodesign.cli.specs import read_pumped
-    from viscodesign.pump import BoardAddress
     from viscodesign.pump.sessions.dry_run import rehearse_upload
     from viscodesign.pump.sessions.uploading import UploadSession, refuse_board
 
     scene = read_pumped(spec, overrides)
     refuse_board(board, scene)
-    address = BoardAddress(board, port, baud, log=log)
-    playable = port is not None or address.simulated
+    address, quiet = wire.to(board), answer.quiet
+    playable = wire.port is not None or address.simulated
     _refuse_options(play, loop, playable or bool(export or picture or dry_run))
     playback: Playback = "loop" if loop else "once" if play else "none"
     with progress(quiet, "planning and fitting", "planning") as advance:
@@ -108,10 +104,7 @@ def command(
     if export is not None:
         lines.append("the header's first lines show a sketch that plays it")
     lines += [f"written: {file}" for file in files]
-    if json:
-        say(json_text(document))
-    elif lines and not quiet:
-        say("\n".join(lines))
+    answer.give(document, lines)
     if report is not None:
         report.raise_failure()
 
