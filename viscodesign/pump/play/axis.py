@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
 
@@ -118,14 +119,21 @@ class FinalAxisState:
 
 
 def until_verified(
-    axes: Sequence[int], clock: Clock, attempt: Callable[[int], FinalAxisState]
+    axes: Sequence[int], clock: Clock, noun: str, attempt: Callable[[int], str]
 ) -> list[FinalAxisState]:
-    """Try each axis in turns until it is verified or the time is over; at least once."""
+    """Try each axis in turns until it is verified or the time is over; at least once.
+
+    ``attempt`` says how an axis was left; it raises `PumpError` where that was not read back.
+    """
     deadline = clock.now() + HOLD_TIMEOUT
     left: dict[int, FinalAxisState] = {}
     waiting = list(axes)
     while waiting:
-        left |= {axis: attempt(axis) for axis in waiting}
+        for axis in waiting:
+            try:
+                left[axis] = FinalAxisState(axis, True, attempt(axis), noun)
+            except PumpError as error:
+                left[axis] = FinalAxisState(axis, False, str(error), noun)
         waiting = [axis for axis in waiting if not left[axis].verified]
         if clock.now() >= deadline:
             break

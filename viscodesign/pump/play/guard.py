@@ -1,4 +1,4 @@
-"""A rule that stops the pump, and the watch over all rules."""
+"""A rule that stops the pump, and what comes of several."""
 
 from __future__ import annotations
 
@@ -46,16 +46,7 @@ class Guard:
         return Stop(self.rule, reason, self.may_retreat)
 
 
-class Watch:
-    """All rules; the first that is broken is kept, whatever the others say later."""
-
-    def __init__(self, guards: Sequence[Guard]) -> None:
-        self.guards = guards
-        self.stop: Stop | None = None
-
-    def check(self, sample: Sample) -> Stop | None:
-        """The alarm, once there is one: it stays."""
-        # Every rule is asked every time, since they count.
-        broken = [guard.check(sample) for guard in self.guards]
-        self.stop = self.stop or next(filter(None, broken), None)
-        return self.stop
+def first_broken(guards: Sequence[Guard], sample: Sample) -> Stop | None:
+    """The stop of the first rule that is broken; all are asked every time, since they count."""
+    stops = [guard.check(sample) for guard in guards]
+    return next(filter(None, stops), None)

@@ -8,7 +8,7 @@ from dataclasses import field
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import Sample
-from viscodesign.pump.play.guard import Guard, Stop, Watch
+from viscodesign.pump.play.guard import Guard, Stop, first_broken
 from viscodesign.pump.play.path import SetPoints
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream_result import StreamResult
@@ -43,7 +43,6 @@ class PathRun:
     """When that was, since the first tick [s]."""
 
     def __post_init__(self) -> None:
-        self.watch = Watch(self.guards)
         self.points = SetPoints(self.path, self.ticks.period, self.pump.limits)
 
     def go(self) -> StreamResult:
@@ -125,7 +124,7 @@ class PathRun:
         )
         if self.relief is not None:
             self.relieved = all(p is None or p <= self.relief for p in pressure)
-        stop = self.watch.check(sample)
+        stop = first_broken(self.guards, sample)
         pump.alarm = pump.alarm or stop
         if stop is None and not self.relieved and self._undisturbed():
             paces = {s: pace * speed for s, speed in self.path.paces(self.place).items()}

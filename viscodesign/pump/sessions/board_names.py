@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
-from viscodesign.errors import UsageError
+from viscodesign.errors import UsageError, did_you_mean
 from viscodesign.plugins import members
 from viscodesign.pump.boards.controller import Controller
 from viscodesign.pump.kinds.base import PumpKind
@@ -45,21 +43,16 @@ def real_boards() -> list[str]:
 
 def boards() -> dict[str, type[Controller]]:
     """All boards by the word after `--board`; the simulated one is that of the default kind."""
-    kinds = pump_kinds()
-    rest = (boards_of(kind) for name, kind in kinds.items() if name != DEFAULT_KIND)
-    every = {name: board for found in rest for name, board in found.items()}
-    return every | boards_of(kinds[DEFAULT_KIND])
+    default_last = sorted(pump_kinds().values(), key=lambda kind: kind.name == DEFAULT_KIND)
+    return {name: board for kind in default_last for name, board in boards_of(kind).items()}
 
 
 def board_kind(name: str) -> type[Controller]:
     """The board with a name."""
     every = boards()
     if name not in every:
-        close = get_close_matches(name, every, n=1)
-        meant = f"; did you mean {close[0]!r}?" if close else ""
-        raise UsageError(
-            f"--board {name}: no such board{meant or '.'} There are: {', '.join(every)}"
-        )
+        hint = did_you_mean(name, every) or "."
+        raise UsageError(f"--board {name}: no such board{hint} There are: {', '.join(every)}")
     return every[name]
 
 

@@ -13,13 +13,11 @@ from viscodesign.pump.bus.byte_log import ByteLog, LoggedLine
 from viscodesign.pump.bus.clock import Clock, PacedClock, SteppedClock, WallClock
 from viscodesign.pump.bus.line import Line
 from viscodesign.pump.consent import Confirm, Tell, ignore, require
-from viscodesign.pump.kinds.base import PumpKind
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.sessions.board_names import board_kind, kind_behind
 from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.plant import AMBIENT, Plant
-from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
 
 
@@ -110,7 +108,12 @@ def connected(
     kind, clock = kind_behind(address.board, scene), address.clock()
     board = kind.simulated_board(poses) if address.simulated else kind.boards()[address.board]
     refuse_port(address)
-    pump, ambient, names = _known(kind, scene, address.simulated)
+    # A pump that no spec describes is found by asking; a simulated one has one of its own.
+    pump = kind.simulated_pump() if address.simulated else None
+    ambient = AMBIENT
+    names: tuple[str, ...] = ("inlet",) if address.simulated else ()
+    if scene is not None:
+        pump, ambient, names = pump_of(scene), scene.ambient_pressure, tuple(scene.inputs)
     log, baud = ByteLog(address.log, tell), address.baud or board.baud
     try:
         if address.simulated:
@@ -134,17 +137,6 @@ def connected(
                 link.board.line.close()
     finally:
         log.close()
-
-
-def _known(
-    kind: PumpKind, scene: Scene | None, simulated: bool
-) -> tuple[PumpSpec | None, float, tuple[str, ...]]:
-    """Pump, ambient pressure and inlets: of a scene, of the simulated board, or of any pump."""
-    if scene is not None:
-        return pump_of(scene), scene.ambient_pressure, tuple(scene.inputs)
-    if not simulated:
-        return None, AMBIENT, ()
-    return kind.simulated_pump(), AMBIENT, ("inlet",)
 
 
 def refuse_port(address: BoardAddress) -> None:

@@ -42,8 +42,11 @@ class PumpStatus:
     """Gauge, per inlet [Pa]; None where no spec names the sensors."""
     pressed: tuple[str, ...] = ()
     """Limit switches, such as 'low'."""
-    objections: tuple[str, ...] = ()
-    """Why the pump must not be moved as it is."""
+
+    @property
+    def objections(self) -> tuple[str, ...]:
+        """Why the pump must not be moved as it is."""
+        return tuple(fault for axis in self.axes for fault in axis.faults)
 
     def document(self) -> dict[str, Any]:
         """Under names with units."""
@@ -55,7 +58,7 @@ class PumpStatus:
             f"{self.noun}s": [axis.document for axis in self.axes],
             "inlets": self.inlets,
             **(pins if self.pressure is not None else {}),
-            "objections": list(self.objections),
+            "objections": self.objections,
             "hints": self.address.hints,
         }
 
@@ -71,10 +74,7 @@ def status(
             return found
         with link.gauges() as gauges:
             _, pressure, pressed = link.connected_pump(gauges, switches=True).look()
-        objections = tuple(reason for axis in axes for reason in axis.faults)
-        return replace(
-            found, pressure=pressure, pressed=_names(link, pressed), objections=objections
-        )
+        return replace(found, pressure=pressure, pressed=_names(link, pressed))
 
 
 def _names(link: Connection, ends: Pressed) -> tuple[str, ...]:
@@ -129,8 +129,11 @@ def record(
     path = Path(path)
     _refuse_options(path, address, rate, duration)
     with connected(address, scene, tell=tell) as link:
-        who = (address.board, address.simulated, link.board.identify())
-        facts = dict(zip(("board", "simulated", "identity"), who, strict=True))
+        facts: dict[str, Any] = {
+            "board": address.board,
+            "simulated": address.simulated,
+            "identity": link.board.identify(),
+        }
         with (
             link.gauges() as gauges,
             recorded(path, link.inlets, facts, link.kind.channels(link.pump)) as file,
@@ -150,7 +153,7 @@ def record(
             status = "interrupted" if early else "complete"
             link.log.event("ended", status=status, **ticks.document())
             file.state(status, ticks=ticks.document())
-            return RecordReport(status, file.rows, path, *who)
+            return RecordReport(status, file.rows, path, **facts)
 
 
 def _heard(pump: Pump) -> Sample:

@@ -6,6 +6,7 @@ import contextlib
 import json
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import field
 from io import FileIO
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.errors import OutputError, UsageError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.kinds.base import Channels
 from viscodesign.pump.play.axis import Sample
 from viscodesign.pump.play.stream_result import RecordingError
@@ -39,6 +41,7 @@ def columns(inlets: Sequence[str], channels: Channels, more: Sequence[str] = ())
     ]
 
 
+@dataclass
 class Record:
     """A CSV that grows with each sample, and beside it a JSON document that describes it.
 
@@ -46,39 +49,38 @@ class Record:
     taken for a complete one.
     """
 
-    def __init__(
-        self,
-        path: Path,
-        table: FileIO,
-        inlets: Sequence[str],
-        facts: Mapping[str, Any],
-        channels: Channels,
-        more: Mapping[str, Callable[[], float]],
-    ) -> None:
-        self.path = path
-        self.beside = path.with_suffix(".json")
+    path: Path
+    table: FileIO
+    inlets: Sequence[str]
+    facts: Mapping[str, Any]
+    """What else the document says: board, whether simulated, spec, plan."""
+    channels: Channels
+    """Columns of each axis."""
+    more: Mapping[str, Callable[[], float]]
+    """Columns behind the time, each with what gives its value."""
+    rows: int = field(default=0, init=False)
+    started: bool = field(default=False, init=False)
+    """Whether something may be moving: a full disk is then not a usage error."""
+    broken: bool = field(default=False, init=False)
+    """Whether the disk has refused a row; no more are written then."""
+
+    def __post_init__(self) -> None:
+        self.columns = columns(self.inlets, self.channels, list(self.more))
+        self.beside = self.path.with_suffix(".json")
         """The document."""
-        self.rows = 0
-        self.started = False
-        """Whether something may be moving: a full disk is then not a usage error."""
-        self.broken = False
-        """Whether the disk has refused a row; no more are written then."""
-        self._table = table
         self._whole = 0
         """Bytes of whole rows in the file."""
-        self._facts, self._channels, self._more = facts, channels, more
-        self._columns = columns(inlets, channels, list(more))
-        self._waiting = (",".join(self._columns) + "\n").encode()
+        self._waiting = (",".join(self.columns) + "\n").encode()
         self._flushed = time.monotonic()
         self._errors: list[float] = []
 
     def add(self, moment: float, sample: Sample) -> None:
         """One row; ``moment`` is the time of its first column [s]."""
-        row: list[float | None] = [moment, *(value() for value in self._more.values())]
+        row: list[float | None] = [moment, *(value() for value in self.more.values())]
         row += [*sample.pressure, *sample.wanted]
         for axis, state in sample.axes.items():
             goal = sample.goals.get(axis, state.goal)
-            row += [value(state, goal) for value in self._channels.values()]
+            row += [value(state, goal) for value in self.channels.values()]
         self._waiting += (",".join(map(_number, row)) + "\n").encode()
         self.rows += 1
         pairs = zip(sample.pressure, sample.wanted, strict=True)
@@ -103,8 +105,8 @@ class Record:
             "status": status,
             "partial": status != "complete",
             "rows": self.rows,
-            "columns": self._columns,
-            **self._facts,
+            "columns": self.columns,
+            **self.facts,
             **more,
         }
         with self._write_errors():
@@ -117,11 +119,11 @@ class Record:
         with self._write_errors():
             try:
                 while left:
-                    left = left[self._table.write(left) :]
+                    left = left[self.table.write(left) :]
             except OSError:
                 with contextlib.suppress(OSError):
-                    self._table.truncate(self._whole)
-                    self._table.seek(self._whole)
+                    self.table.truncate(self._whole)
+                    self.table.seek(self._whole)
                 raise
         self._whole += len(rows)
         self._waiting = b""
@@ -148,12 +150,7 @@ def recorded(
     channels: Channels,
     more: Mapping[str, Callable[[], float]] | None = None,
 ) -> Iterator[Record]:
-    """A record in progress; replaces an earlier one of the same name.
-
-    ``facts`` go into the JSON: board, whether simulated, spec, plan. ``channels``: columns of
-    each axis.
-    ``more`` are columns behind the time, each with what gives its value.
-    """
+    """A record in progress; replaces an earlier one of the same name. Arguments as for `Record`."""
     with write_errors_as_usage(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         table = FileIO(path, "w")

@@ -10,11 +10,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.play.axis import FoundAxis
 from viscodesign.pump.play.stream_result import StreamResult
 
-STATUS_WORDS = {
-    "complete": "played to its end",
-    "interrupted": "interrupted",
-    "stopped": "STOPPED",
-}
+STATUS_WORDS = {"complete": "played to its end", "interrupted": "interrupted", "stopped": "STOPPED"}
 
 
 def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
@@ -77,13 +73,8 @@ class PlaybackReport:
         document = {"name": self.name, **self.facts, "status": self.status}
         if (result := self.result) is None:
             return document
-        return document | {
-            "reason": result.reason,
-            "rule": result.rule,
-            "hold_verified": result.verified,
-            f"{self.noun}s": [one.document() for one in result.standing],
-            "retreat": result.retreat,
-        }
+        axes = {f"{self.noun}s": [one.document() for one in result.standing]}
+        return {**document, **result.outcome(), **axes, "retreat": result.retreat}
 
     def raise_failure(self) -> None:
         """Raise what did not end well as an error."""

@@ -7,8 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
 
-from viscodesign.errors import UsageError
+from viscodesign.errors import UsageError, not_among
 from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.byte_log import ByteLog
 from viscodesign.pump.consent import Confirm, Tell, ignore
 from viscodesign.pump.kinds.base import PumpKind
@@ -64,35 +65,34 @@ def stream(
     return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick, stop=stop)
 
 
+@dataclass
 class StreamSession:
-    """One profile, planned and ready to be streamed to one board."""
+    """One profile, planned and ready to be streamed to one board. Fields as for `stream`.
 
-    def __init__(
-        self,
-        scene: Scene,
-        address: BoardAddress = SIMULATED,
-        rate: float = 30.0,
-        on_stop: OnStop = "hold",
-        achievable: bool = False,
-        without_sensor: bool = False,
-        progress: Progress | None = None,
-        rehearsed: bool = False,
-    ) -> None:
-        """Check what was asked for, and plan it; opens no port. Arguments as for `stream`.
+    Checks what was asked for and plans it; opens no port.
+    """
 
-        Only what is ``rehearsed`` needs no port.
-        """
-        self.kind = kind_behind(address.board, scene)
-        _refuse_options(self.kind, address, rate, on_stop)
-        if not rehearsed:
-            refuse_port(address)
+    scene: Scene
+    address: BoardAddress = SIMULATED
+    rate: float = 30.0
+    on_stop: OnStop = "hold"
+    achievable: bool = False
+    without_sensor: bool = False
+    progress: Progress | None = None
+    rehearsed: bool = False
+    """Whether it is not to be played, so that it needs no port."""
+
+    def __post_init__(self) -> None:
+        self.kind = kind_behind(self.address.board, self.scene)
+        _refuse_options(self.kind, self.address, self.rate, self.on_stop)
+        if not self.rehearsed:
+            refuse_port(self.address)
         self.scene = self.kind.with_sensors(
-            scene, simulated=address.simulated, without=without_sensor
+            self.scene, simulated=self.address.simulated, without=self.without_sensor
         )
         self.settings = pump_of(self.scene)
-        self.address, self.rate, self.on_stop = address, rate, on_stop
-        self.plan = plan_pump(self.scene, progress=progress)
-        refuse_infeasible(self.plan, achievable)
+        self.plan = plan_pump(self.scene, progress=self.progress)
+        refuse_infeasible(self.plan, self.achievable)
 
     def description(self) -> list[str]:
         """The plan, to be read before it is agreed to."""
@@ -123,31 +123,26 @@ class StreamSession:
             folder.mkdir(parents=True, exist_ok=True)
         address = replace(self.address, log=self.address.log or folder / "log.jsonl")
         plant = ActuatorPlant(self.scene) if address.simulated else None
-        facts: dict[str, Any] = {
-            "board": address.board,
-            "simulated": address.simulated,
-            "name": self.scene.name,
-            "spec_sha256": self.plan.spec_sha256,
-            "ambient_pressure_pa_abs": self.scene.ambient_pressure,
-        }
         tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_POSE)}
         with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
             pump = link.connected_pump(gauges, switches=True)
             unit, limits = pump.limits.unit, pump.limits
             calibration = {f"home_{unit}": limits.home, f"travel_{unit}": list(limits.travel)}
-            facts["calibration"] = calibration
             lines = self._connect(pump)
             link.log.event("found", lines=lines, calibration=calibration)
             address.require_consent(confirm, "\n".join([*lines, "Move the pump?"]))
+            facts = {
+                "board": address.board,
+                "simulated": address.simulated,
+                "name": self.scene.name,
+                "spec_sha256": self.plan.spec_sha256,
+                "ambient_pressure_pa_abs": self.scene.ambient_pressure,
+                "calibration": calibration,
+            }
+            channels, path = self.kind.channels(self.settings), folder / "record.csv"
             with (
                 stop_on_signals(stop) as request,
-                recorded(
-                    folder / "record.csv",
-                    self.plan.inlets,
-                    facts,
-                    self.kind.channels(self.settings),
-                    tip,
-                ) as record,
+                recorded(path, self.plan.inlets, facts, channels, tip) as record,
             ):
                 return self._stream(pump, request, record, link.log, tell, on_tick)
 
@@ -190,16 +185,12 @@ class StreamSession:
         def observe(tick: TickReport) -> None:
             sample = tick.sample
             record.add(tick.time, sample)
-            log.event(
-                "tick",
-                time_s=tick.time,
-                **{
-                    f"goals_{unit}": sample.next_goals,
-                    f"positions_{unit}": {a: s.position for a, s in sample.axes.items()},
-                },
-                pressure_pa_gauge=sample.pressure,
-                wanted_pa_gauge=sample.wanted,
-            )
+            moved = {
+                f"goals_{unit}": sample.next_goals,
+                f"positions_{unit}": {axis: own.position for axis, own in sample.axes.items()},
+            }
+            pressures = {"pressure_pa_gauge": sample.pressure, "wanted_pa_gauge": sample.wanted}
+            log.event("tick", time_s=tick.time, **moved, **pressures)
             if on_tick is not None:
                 on_tick(tick)
 
@@ -213,15 +204,10 @@ class StreamSession:
             facts["standing"] = [str(one) for one in result.standing]
             facts["ticks"] = stream.ticks.document()
             facts["measured_against_plan"] = record.tracking_error()
-            outcome = {
-                "reason": result.reason,
-                "rule": result.rule,
-                "hold_verified": result.verified,
-            }
-            log.event("ended", status=result.status, **outcome, **facts)
+            log.event("ended", status=result.status, **result.outcome(), **facts)
             if result.status != "complete":
                 tell("\n".join(reports.result_lines(result)))
-            record.state(result.status, **outcome, **facts)
+            record.state(result.status, **result.outcome(), **facts)
         kept = f"the record so far is in {record.path.parent}"
         return PlaybackReport(self.scene.name, result, facts, self.kind.noun, kept)
 
@@ -237,8 +223,7 @@ def _refuse_options(kind: PumpKind, address: BoardAddress, rate: float, on_stop:
     if not low <= rate <= high:
         raise UsageError(f"--rate must be {low:g} to {high:g} Hz; got {rate:g}")
     if on_stop not in get_args(OnStop):
-        allowed = ", ".join(get_args(OnStop))
-        raise UsageError(f"--on-stop must be one of {allowed}; got {on_stop}")
+        raise UsageError(f"--on-stop {not_among(on_stop, get_args(OnStop))}")
     address.clock()
 
 

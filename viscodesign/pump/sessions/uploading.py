@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from viscodesign.errors import UsageError
 from viscodesign.interrupt import StopRequest, stop_on_signals
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.consent import Confirm, Tell, ignore
 from viscodesign.pump.kinds.base import ProfileUpload, PumpKind
 from viscodesign.pump.planning.demand_kinds import pump_of
@@ -64,22 +65,24 @@ def _poses_of(kind: PumpKind) -> type[ProfileUpload]:
     return kind.poses
 
 
+@dataclass
 class UploadSession:
-    """One profile, fitted and ready to be loaded."""
+    """One profile, planned, fitted and ready to be loaded; opens no port. Fields as for `upload`.
 
-    def __init__(
-        self,
-        scene: Scene,
-        tolerance: str = "1 kPa",
-        playback: Playback = "none",
-        achievable: bool = False,
-        progress: Progress | None = None,
-    ) -> None:
-        """Plan and fit; opens no port. `PumpError` where the fit is too coarse."""
-        self.scene, self.settings = scene, pump_of(scene)
-        fitted = _poses_of(kind_of(scene))
-        plan = plan_pump(scene, progress=progress)
-        self.poses = fitted(plan, self.settings, tolerance, playback, achievable, progress)
+    Raises `PumpError` where the fit is too coarse.
+    """
+
+    scene: Scene
+    tolerance: str = "1 kPa"
+    playback: Playback = "none"
+    achievable: bool = False
+    progress: Progress | None = None
+
+    def __post_init__(self) -> None:
+        fitted = _poses_of(kind_of(self.scene))
+        plan = plan_pump(self.scene, progress=self.progress)
+        how = self.tolerance, self.playback, self.achievable, self.progress
+        self.poses = fitted(plan, pump_of(self.scene), *how)
 
     def description(self) -> list[str]:
         """What is about to be played, each number with its unit."""

@@ -12,7 +12,7 @@ from tests.unit.pump.samples import sample, servo
 from viscodesign.pump.ax.protocol.packets import ErrorBits
 from viscodesign.pump.ax.servo_pump import axis_limits
 from viscodesign.pump.play.axis import AxisLimits, Sample
-from viscodesign.pump.play.guard import Guard, Watch
+from viscodesign.pump.play.guard import Guard, first_broken
 from viscodesign.pump.play.safety_rules import retreat_rules, stream_rules
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 
@@ -49,15 +49,15 @@ def test_the_cap_takes_two_samples(kilopascals: list[float], stops: int | None) 
     assert first_stop(rule("pressure_cap"), samples) == stops
 
 
-def test_an_alarm_stays_whatever_comes_then() -> None:
-    watch = Watch([rule("pressure_cap")])
-    for pressure in (26e3, 26e3):
-        stop = watch.check(sample(pressure=pressure))
+def test_the_first_broken_rule_is_told_and_all_of_them_count() -> None:
+    guards = [rule("silence"), rule("pressure_cap"), rule("low_battery")]
+    assert first_broken(guards, sample(pressure=26e3, state=servo(voltage=9.0))) is None
+    stop = first_broken(guards, sample(pressure=26e3, state=servo(voltage=9.0)))
     assert stop is not None
     assert stop.rule == "pressure_cap"
+    assert [guard.count for guard in guards] == [0, 1, 2]
     assert "26.00 kPa gauge" in stop.reason
     assert "pump.max_pressure" in stop.reason
-    assert watch.check(sample(pressure=0.0)) is stop
 
 
 def test_a_frozen_sensor_is_found_when_the_pressure_should_change() -> None:

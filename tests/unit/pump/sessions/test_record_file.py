@@ -113,7 +113,7 @@ def test_a_disk_that_fills_up_during_a_run_is_not_a_usage_error(tmp_path: Path) 
 
     def fill() -> None:
         with FileIO("/dev/full", "w") as full, recorded(path, ["inlet"], FACTS, CHANNELS) as record:
-            record._table = full
+            record.table = full
             record.add(0.0, sample())
             record.flush()
 
@@ -129,7 +129,7 @@ def test_a_disk_that_fills_up_keeps_whole_rows_and_a_label(
     monkeypatch.setattr("viscodesign.pump.sessions.record_file.FLUSH_INTERVAL_S", 0.0)
     with recorded(path, ["inlet"], FACTS, CHANNELS) as record:
         record.add(0.0, sample())
-        monkeypatch.setattr(record, "_table", FullDisk(record._table))
+        monkeypatch.setattr(record, "table", FullDisk(record.table))
         with pytest.raises(RecordingError, match="No space left"):
             record.add(0.1, sample())
         record.state("stopped", rule="record")
