@@ -49,7 +49,7 @@ class FaultyRegulator(SimulatedRegulator):
         if command != "MON":
             return super().answer(command)
         pressure = self.pressure + self.extra
-        return str(min(max(round(pressure / self.full_scale * self.highest), 0), self.highest))
+        return str(min(max(round(pressure / self.spec.step), 0), HIGHEST_SET_POINT))
 
     def _step(self, seconds: float) -> None:
         super()._step(0.0 if self.stuck else seconds)
@@ -64,7 +64,7 @@ class RegulatorRig:
 
     def __post_init__(self) -> None:
         self.clock = SteppedClock()
-        self.device = FaultyRegulator(100e3, HIGHEST_SET_POINT, self.spec.response_time)
+        self.device = FaultyRegulator(self.spec)
         self.log = SentBytes()
         self.board = LineRegulator(LoggedLine(DirectLine(self.device, self.clock), self.log))
         kind = RegulatorKind()

@@ -17,7 +17,7 @@ from tests.rig.streaming_process import StreamingProcess, stream_process
 from tests.scenes import CONFIGS
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.simulated.regulator import SimulatedRegulator
-from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT
+from viscodesign.scene.pumps.regulator import RegulatorSpec
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX signals and terminals")
 
@@ -54,7 +54,7 @@ class Regulating(StreamingProcess):
 
 @pytest.fixture
 def regulating(tmp_path: Path) -> Iterator[Regulating]:
-    device = SimulatedRegulator(100e3, HIGHEST_SET_POINT, 0.2)
+    device = SimulatedRegulator(RegulatorSpec(full_scale=100e3))
     with (
         PtyServer(device, WallClock()) as server,
         stream_process(SPEC, "regulator", server.port, CHANGES, tmp_path) as process,

@@ -198,7 +198,7 @@ class RegulatorKind(PumpKind):
         *,
         poses: bool = False,
     ) -> Device:
-        return SimulatedRegulator(pump.full_scale, HIGHEST_SET_POINT, pump.response_time, plant)
+        return SimulatedRegulator(pump, plant)
 
     def simulated_pump(self) -> RegulatorSpec:
         return RegulatorSpec(full_scale=100e3)

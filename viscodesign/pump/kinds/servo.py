@@ -15,7 +15,7 @@ from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, 
 from viscodesign.pump.boards.arbotix import SimulatedArbotix
 from viscodesign.pump.boards.arbotix_ros import Simulated
 from viscodesign.pump.boards.base import Board
-from viscodesign.pump.kinds.base import Calibration, CalibrationRequest, Channels, PumpKind
+from viscodesign.pump.kinds.base import Channels, PumpKind
 from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
 from viscodesign.pump.planning.result import PumpPlan
@@ -144,11 +144,8 @@ class ServoKind(PumpKind):
     def stop(self, link: Connection, ids: Sequence[int], release: bool) -> list[FinalAxisState]:
         return stop_all(link.board, list(ids or SCANNED_IDS), link.clock, release=release)
 
-    def calibrate(self, link: Connection, request: CalibrationRequest) -> Calibration:
-        return calibrate(link, request)
-
-    def calibration_steps(self, pump: ServoPumpSpec, request: CalibrationRequest) -> list[str]:
-        return calibration_steps(pump, request)
+    calibrate = staticmethod(calibrate)
+    calibration_steps = staticmethod(calibration_steps)
 
 
 def simulated_bench(
@@ -159,9 +156,10 @@ def simulated_bench(
     drives = [ServoDrive(pump) for _ in ids]
     servos = [SimulatedServo(servo, model, pump.home) for servo in ids]
     for servo in servos:
-        servo.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
         servo.limit_angles(*pump.travel)
-    return SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))
+    bench = SimulatedBench(servos, drives, plant or ClosedGas(drives, ambient))
+    bench.supply(min(pump.supply_voltage, HIGHEST_REPORTED_V))
+    return bench
 
 
 def _without_sensor(blind: list[str], inlets: tuple[str, ...]) -> str:

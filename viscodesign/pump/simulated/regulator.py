@@ -8,6 +8,7 @@ import numpy as np
 
 from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device
 from viscodesign.pump.simulated.plant import Plant
+from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT, RegulatorSpec
 
 BAUD = 9_600
 THINKING_S = 2e-3  # between a command and its reply (assumed) [s]
@@ -20,13 +21,9 @@ class SimulatedRegulator(Device):
     What is behind it takes no notable flow (assumed), and is told the outlet's pressure.
     """
 
-    def __init__(
-        self, full_scale: float, highest: int, response_time: float, plant: Plant | None = None
-    ) -> None:
-        """``full_scale``: gauge pressure [Pa] at the set-point ``highest``."""
+    def __init__(self, spec: RegulatorSpec, plant: Plant | None = None) -> None:
         super().__init__()
-        self.full_scale, self.highest = full_scale, highest
-        self.response_time = response_time
+        self.spec = spec
         self.plant = plant or Plant()
         self.pressure = 0.0  # of the outlet, gauge [Pa]
         self.set_point = 0
@@ -45,12 +42,12 @@ class SimulatedRegulator(Device):
         """The reply to a command; a set-point is in force when it is given."""
         word, _, number = command.partition(" ")
         if command == "MON":
-            return str(round(min(max(self.pressure / self.full_scale, 0.0), 1.0) * self.highest))
+            return str(min(max(round(self.pressure / self.spec.step), 0), HIGHEST_SET_POINT))
         if command == "REQ":
             return str(self.set_point)
         if word != "SET" or not number.isdecimal():
             return "UNKNOWN COMMAND"
-        if int(number) > self.highest:
+        if int(number) > HIGHEST_SET_POINT:
             return "OUT OF RANGE"
         self.set_point = int(number)
         return number
@@ -64,8 +61,8 @@ class SimulatedRegulator(Device):
             self._step((now - before) / count)
 
     def _step(self, seconds: float) -> None:
-        goal = self.set_point * self.full_scale / self.highest
-        share = 1.0 if self.response_time == 0.0 else -math.expm1(-seconds / self.response_time)
-        self.pressure += share * (goal - self.pressure)
+        response_time = self.spec.response_time
+        share = 1.0 if response_time == 0.0 else -math.expm1(-seconds / response_time)
+        self.pressure += share * (self.set_point * self.spec.step - self.pressure)
         if seconds > 0.0:
             self.plant.advance(seconds, np.array([self.pressure]))

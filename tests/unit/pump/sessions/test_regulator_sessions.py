@@ -13,7 +13,7 @@ from tests.scenes import leg
 from viscodesign import pump
 from viscodesign.pump.bus.clock import WallClock
 from viscodesign.pump.simulated.regulator import SimulatedRegulator
-from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT
+from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT, RegulatorSpec
 from viscodesign.scene.scene import Scene
 
 
@@ -52,7 +52,7 @@ def test_a_rehearsal_shows_what_would_be_sent(scene: Scene) -> None:
 
 
 def regulator(pressure: float, set_point: int) -> SimulatedRegulator:
-    device = SimulatedRegulator(100e3, HIGHEST_SET_POINT, 0.05)
+    device = SimulatedRegulator(RegulatorSpec(full_scale=100e3, response_time=0.05))
     device.pressure, device.set_point = pressure, set_point
     return device
 
