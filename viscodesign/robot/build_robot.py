@@ -80,7 +80,7 @@ def _group(scene: RobotScene, actuator: str, names: tuple[str, ...]) -> LegGroup
     robot, sources = scene.robot, tuple(scene.sources)
     own = [k for k, name in enumerate(names) if robot.legs[name].actuator == actuator]
     legs = [robot.legs[names[k]] for k in own]
-    design = leg_design(scene.leg_scene(actuator), robot.stiff_sections)
+    design = leg_design(scene.leg_scene(actuator))
     return LegGroup(
         leg_functions(design),
         np.array(own),

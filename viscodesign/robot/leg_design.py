@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -12,6 +10,7 @@ from viscodesign.model.bellow_law import BellowLaw, places
 from viscodesign.model.graph import Graph
 from viscodesign.physics import tube
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import copied
 
 
 @dataclass(frozen=True)
@@ -85,17 +84,19 @@ class LegDesign:
         )
 
 
-def leg_design(scene: Scene, stiff_sections: Sequence[int] = ()) -> LegDesign:
-    """The leg that an actuator is; ``stiff_sections`` count from 1 at the clamp."""
-    quantities = SceneQuantities(scene)
+def leg_design(scene: Scene) -> LegDesign:
+    """The leg that an actuator is; its blocked sections are those that pillars keep stiff."""
+    quantities = SceneQuantities(copied(scene, {"section_changes": None}))
     body, bellows, graph = quantities.body, scene.bellows, quantities.graph
     place = places(graph)
+    blocked = scene.sections.blocked
+    free = [True] * graph.sections if blocked is None else (~blocked).tolist()
     return LegDesign(
         length=body.length,
         section_length=body.section_length,
         bending_stiffness=body.bending_stiffness,
         extension_stiffness=body.extension_stiffness,
-        free_sections=tuple(j + 1 not in stiff_sections for j in range(graph.sections)),
+        free_sections=tuple(free),
         bellow=quantities.bellow,
         volume_per_force=bellows.length * bellows.area_per_force,
         volume_per_moment=bellows.length * bellows.area_per_moment,

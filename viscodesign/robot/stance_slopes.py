@@ -197,8 +197,7 @@ class StanceSlopes:
 
     def _design(self, actuator: str) -> LegDesign:
         """The numbers of a design as formulas."""
-        scene = traced_leg(self._base, self._spec, actuator)
-        found: LegDesign = _in_formulas(leg_design(scene, self._base.robot.stiff_sections))
+        found: LegDesign = _in_formulas(leg_design(traced_leg(self._base, self._spec, actuator)))
         return found
 
 
@@ -209,7 +208,6 @@ def traced_leg(base: RobotScene, spec: RobotScene, actuator: str) -> Any:
         base.leg_scene(actuator),
         {
             "actuator": design.actuator,
-            "section_changes": design.section_changes,
             "bellows": design.bellows,
             "network": design.network,
             "fluid_choice": spec.fluid_choice,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from pydantic import (
     Field,
@@ -79,13 +79,13 @@ class RobotScene(WholeSpec):
         raise_faults(robot_faults(self))
         return self
 
-    def hanging(self, design: ActuatorDesign) -> Scene:
-        """A design by itself at the baseline pressure."""
+    def hanging(self, design: ActuatorDesign, blocked: Sequence[int] = ()) -> Scene:
+        """A design by itself at the baseline pressure, with some sections blocked, from 1."""
         return Scene.model_validate(
             {
                 "name": self.name,
                 "actuator": design.actuator,
-                "sections": design.section_changes,
+                "sections": {str(k): {"blocked": True} for k in blocked} or None,
                 "bellows": design.bellows,
                 "network": design.network,
                 "fluid": self.fluid_choice,
@@ -99,8 +99,8 @@ class RobotScene(WholeSpec):
         )
 
     def leg_scene(self, actuator: str) -> Scene:
-        """An actuator by itself, hanging at the baseline pressure."""
-        return self.hanging(unlike(self.actuators)[actuator])
+        """An actuator by itself, hanging at the baseline pressure, with the robot's pillars."""
+        return self.hanging(unlike(self.actuators)[actuator], self.robot.stiff_sections)
 
     def single_scene(self, actuator: str, source: str) -> Scene:
         """An actuator by itself with one of the sources, hanging, named after both of them."""

@@ -34,16 +34,22 @@ def hanging(functions: LegFunctions, force: np.ndarray, gauge: float) -> np.ndar
 
 
 @pytest.mark.parametrize(
-    ("force", "gauge"),
-    [((0.0, 0.0), 38.7e3), ((0.0, -2.4), 38.7e3), ((0.4, -1.2), 30e3), ((-0.8, 1.0), 0.0)],
+    ("force", "gauge", "pillars"),
+    [
+        ((0.0, 0.0), 38.7e3, ()),
+        ((0.0, -2.4), 38.7e3, ()),
+        ((0.4, -1.2), 30e3, ()),
+        ((-0.8, 1.0), 0.0, ()),
+        ((0.4, -1.2), 30e3, ("sections={1-2: {blocked: on}}",)),
+    ],
 )
 def test_a_legs_tip_equals_that_of_the_single_actuator(
-    force: tuple[float, float], gauge: float
+    force: tuple[float, float], gauge: float, pillars: tuple[str, ...]
 ) -> None:
     scene = leg(
         STATIC, "input={kind: constant, value: 0}", f"gauge_pressure={gauge}", "accuracy=1e-5",
         f"loads={{gravity: off, tip_force: {{x: {force[0]}, z: {force[1]}}}}}",
-        "run={duration: 0.1, output_interval: 0.1}",
+        "run={duration: 0.1, output_interval: 0.1}", *pillars,
     )  # fmt: skip
     expected = simulate(scene).tip[-1]
     found = hanging(leg_functions(leg_design(scene)), np.array(force), gauge)
@@ -52,7 +58,7 @@ def test_a_legs_tip_equals_that_of_the_single_actuator(
 
 
 def test_derivatives_equal_differences() -> None:
-    functions = leg_functions(leg_design(hexapod().leg_scene("leg"), (1, 2)))
+    functions = leg_functions(leg_design(hexapod().leg_scene("leg")))
     draw, nodes = np.random.default_rng(3), len(functions.design.nodes)
     given = [
         np.array([[1e-3, -0.13, 0.02, 0.01, 0.09, -0.016, 0.03]]),
@@ -83,18 +89,20 @@ def test_derivatives_equal_differences() -> None:
 
 
 def test_a_stiff_section_neither_bends_nor_stretches() -> None:
-    scene = hexapod().leg_scene("leg")
-    free, pillars = (leg_functions(leg_design(scene, stiff)) for stiff in ((), (1, 2)))
+    free, pillars = (
+        leg_functions(leg_design(hexapod(f"robot.stiff_sections={stiff}").leg_scene("leg")))
+        for stiff in ([], [1, 2])
+    )
     rest = [hanging(own, np.zeros(2), 0.0)[1] for own in (free, pillars)]
     full = [hanging(own, np.zeros(2), 38.7e3)[1] for own in (free, pillars)]
     assert rest == pytest.approx([0.109, 0.109])
     grown = np.subtract(full, rest)
     assert grown[1] == pytest.approx(0.75 * grown[0])
-    assert leg_functions(leg_design(scene, (1, 2))) is pillars
+    assert leg_functions(leg_design(hexapod().leg_scene("leg"))) is pillars
 
 
 def test_groups_know_where_their_legs_stand() -> None:
-    functions = leg_functions(leg_design(hexapod().leg_scene("leg"), (1, 2)))
+    functions = leg_functions(leg_design(hexapod().leg_scene("leg")))
     group = LegGroup(functions, np.array([0, 2]), np.zeros((2, 5)), np.zeros(2, dtype=int))
     assert group.places.tolist() == [[0, 1, 2, 3, 4, 5, 6], [0, 1, 2, 3, 10, 11, 12]]
     assert replace(group, legs=np.array([1])).strain_numbers == 48

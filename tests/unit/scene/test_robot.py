@@ -102,3 +102,11 @@ def test_a_spec_without_a_robot_is_told_in_one_line() -> None:
     assert [fault.message.partition(";")[0] for fault in caught.value.faults] == [
         "not a robot: no key 'robot'"
     ]
+
+
+def test_pillars_are_blocked_sections_of_every_leg() -> None:
+    scene = hexapod()
+    blocked = scene.single_scene("leg", "A").sections.blocked
+    assert blocked is not None
+    assert blocked.tolist() == [True, True] + 6 * [False]
+    assert hexapod("robot.stiff_sections=[]").leg_scene("leg").section_changes is None
