@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import pytest
 
-from tests.scenes import leg
+from tests.scenes import ROOT, leg
 from tests.unit.scene.round_trip import comes_back
 from viscodesign.errors import SpecError
 
@@ -115,3 +118,30 @@ def test_beyond_the_pressures_of_its_formulas_a_fluid_is_refused(
     with pytest.raises(SpecError, match=told):
         leg(f"fluid={name}", f"ambient_pressure={pressure} Pa")
     leg(f"fluid={name}", "ambient_pressure=0.99 GPa")
+
+
+TWO_AT_ONCE = """
+import sys, threading
+from concurrent.futures import ThreadPoolExecutor
+from viscodesign.scene.fluids.air import Air
+from viscodesign.scene.fluids.water import Water
+
+sys.setswitchinterval(1e-5)
+together = threading.Barrier(2)
+
+def density(fluid):
+    together.wait()
+    return fluid.properties(293.15, 101325.0, 0.0).density
+
+with ThreadPoolExecutor(2) as threads:
+    print(*threads.map(density, [Air, Water]))
+"""
+
+
+def test_two_threads_may_ask_for_their_first_fluids_at_once() -> None:
+    """Their libraries are parts of one package, whose modules import each other."""
+    done = subprocess.run(
+        [sys.executable, "-c", TWO_AT_ONCE], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    air, water = map(float, done.stdout.split())
+    assert (air, water) == pytest.approx((1.204, 998.2), rel=1e-3)

@@ -59,8 +59,8 @@ class Air(NamedFluid):
     @classmethod
     def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
         del fraction
-        from chemicals.air import lemmon2000_air_MW, lemmon2000_rho
-        from chemicals.viscosity import mu_air_lemmon
+        # From the package: of modules that import each other two threads may meet half of one.
+        from chemicals import lemmon2000_air_MW, lemmon2000_rho, mu_air_lemmon
 
         molar_density = lemmon2000_rho(temperature, pressure)
         density = molar_density * lemmon2000_air_MW / 1000

@@ -62,8 +62,8 @@ class Water(NamedFluid):
     @classmethod
     def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
         del fraction
-        from chemicals.iapws import iapws95_Psat, iapws95_rho
-        from chemicals.viscosity import mu_IAPWS
+        # From the package, as in `air`.
+        from chemicals import iapws95_Psat, iapws95_rho, mu_IAPWS
 
         vapour_pressure = float(iapws95_Psat(temperature))
         if pressure <= vapour_pressure:
