@@ -92,7 +92,7 @@ def _row(words: str, found: Fit) -> str:
 
 
 def _error(number: FittedNumber) -> float:
-    """Of a number, in parts of the true one."""
+    """Of a number, relative to the true one."""
     return abs(number.value / TRUTH[number.key] - 1)
 
 

@@ -33,7 +33,7 @@ SPREADS = {
 ACTUATORS, FIRST = 400, 100
 """Actuators that are drawn, and those of them that are counted by themselves as well."""
 LOGARITHMIC_FROM = 0.2
-"""Deviation, in parts of the value, from which on the logarithm is normal."""
+"""Deviation, relative to the value, from which on the logarithm is normal."""
 STILL_M = 1e-6
 """Standard deviation below which the tip does not move by its coefficients [m]."""
 

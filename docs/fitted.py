@@ -10,7 +10,7 @@ import numpy as np
 from viscodesign.studies.least_squares import NumberRanges, least_squares
 
 STEP = 1e-4
-"""Of a difference, in parts of the range."""
+"""Of a difference, relative to the range."""
 
 
 @dataclass(frozen=True, eq=False)

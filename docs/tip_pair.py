@@ -99,7 +99,7 @@ def _name(axes: Axes, paths: list[np.ndarray], low: np.ndarray, high: np.ndarray
 
 @dataclass(frozen=True)
 class Choice:
-    """One place for a name, in parts of the axes."""
+    """One place for a name, relative to the axes."""
 
     anchor: tuple[float, float]
     place: tuple[float, float]
@@ -150,6 +150,6 @@ def _some(points: np.ndarray) -> np.ndarray:
 
 
 def _inside(points: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """In parts of the axes, upwards."""
+    """Relative to the axes, upwards."""
     parts = (points - low) / (high - low)
     return np.column_stack((parts[:, 0], 1 - parts[:, 1]))

@@ -6,11 +6,11 @@
 
 `load` reads a spec, `check` and `classify` judge it without solving, `simulate`
 follows its motion, `compile` makes a function of its numbers with derivatives, `sweep` puts many
-designs in one table, `sensitivity` tells how far each number moves the tip, `design` finds the
-numbers and the graph that make the tip follow a path, `reach` tells where it can be, `fit` finds
+designs in one table, `sensitivity` measures how far each number moves the tip, `design` finds the
+numbers and the graph that make the tip follow a path, `reach` finds where it can be, `fit` finds
 numbers by measurements, `compare` puts motions beside each other, `accuracy` measures what accuracy
 costs in time, `plan` turns its pressures into a pump's motion. `load_robot` reads a robot on such
-actuators, `stand` and `walk` tell how it stands and walks. `load_several`, `check_several`,
+actuators, `stand` and `walk` compute how it stands and walks. `load_several`, `check_several`,
 `classify_several` and `simulate_several` take specs of several actuators. Nothing here prints.
 """
 

@@ -33,7 +33,7 @@ class Fault:
     given: Any = field(default=None, compare=False)
     """The value that was given, plain data; None where there is none."""
     allowed: str = field(default="", compare=False)
-    """What the key may have instead, in words; empty where it is no matter of one value."""
+    """What the key may have instead, in words; empty where it is not about one value."""
 
     def document(self) -> dict[str, Any]:
         """The fault for a program, under the names of its fields."""

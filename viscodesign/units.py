@@ -89,7 +89,7 @@ class QuantityKind:
         if found.unit and found.has_difference and self.unit == "K":
             raise self._invalid(f"'{text}' is a difference of temperatures")
         if found.unit in _NO_UNITS:
-            raise self._unreadable(text, f"'{found.unit}' is no unit that a value may have")
+            raise self._unreadable(text, f"'{found.unit}' is not a unit that a value may have")
         if ambiguous := AMBIGUOUS.get(found.unit):
             written = " or ".join(f"'{found.number} {unit}'" for unit in ambiguous)
             raise self._invalid(f"'{text}': '{found.unit}' is ambiguous; write {written}")

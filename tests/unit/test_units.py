@@ -68,7 +68,7 @@ def test_invalid_lengths_are_refused(text: object) -> None:
     [
         ("37.5 kg", "'37.5 kg' is a mass; expected a length, such as '37.5 mm'"),
         ("3 furlongz", "unknown unit 'furlongz'"),
-        ("1 dB", "'dB' is no unit that a value may have; expected a length"),
+        ("1 dB", "'dB' is not a unit that a value may have; expected a length"),
         ("mm", "has no number"),
         ("yes", "has no number"),
         ("0,325 mm", "is not one number and one unit: a decimal point is meant"),

@@ -17,7 +17,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 
 FAR_BETTER = 0.1
-"""Standard deviation of a product, in parts of that of its best known factor, up to which its
+"""Standard deviation of a product, relative to that of its best known factor, up to which its
 factors count as impossible to tell apart."""
 WELL_KNOWN_PRODUCT = 0.13
 """Standard deviation of a logarithm up to which a product is worth telling: 25 % either way."""

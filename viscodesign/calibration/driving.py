@@ -33,7 +33,7 @@ LONGEST_SHIFT = 0.5
 BOUND_NOISE = 0.1
 """Distance of straight pieces from the smoothed rows, in standard deviations of the noise."""
 BOUND_REL = 2e-4
-"""The least such distance, in parts of the range."""
+"""The least such distance, relative to the range."""
 MOST_FREE_ROWS = 60
 """Most rows of a measured input whose pressures are unknown: of more, noise is taken out, and what
 is left counts as exact. Each takes as long to differentiate by as a number of the scene."""

@@ -24,7 +24,7 @@ ROBUST_SCALE = 2.0
 GROSS_DEVIATIONS = 4.5
 """Standard deviations from which a sample is gross: of 10,000 good ones 0.07 are."""
 MOST_GROSS = 0.1
-"""Part of a group's samples that may be gross: more are no slips of the tracking, but a model that
+"""Part of a group's samples that may be gross: more are not slips of the tracking, but a model that
 does not fit."""
 REWEIGHTINGS = 2
 MAX_FIT_EVALUATIONS = 60
@@ -36,9 +36,9 @@ MOST_POLISHING = 6
 POLISHED = 0.02
 """Largest step, in standard deviations, at which an estimate has settled."""
 SOLVER_RISE = 0.05
-"""Rise of the squares by such a step that is put down to the solver."""
+"""Rise of the sum of squares by such a step that is attributed to the solver."""
 LEAST_LEVEL = 1e-3
-"""Noise in parts of that found in the data alone, below which it does not fall."""
+"""Noise relative to that found in the data alone, below which it does not fall."""
 
 Tell = Callable[[BestSoFar], None]
 

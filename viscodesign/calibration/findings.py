@@ -28,7 +28,7 @@ OPEN_FROM = 1.0
 """Standard deviation of a step from which the data do not tell a number: its interval would reach
 from a seventh to seven times its value."""
 IDENTIFIED = 0.5
-"""Half width of an interval, in parts of the value, up to which a number counts as identified."""
+"""Half width of an interval, relative to the value, up to which a number counts as identified."""
 
 
 def fitted_numbers(

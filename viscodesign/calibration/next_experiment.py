@@ -33,11 +33,11 @@ from viscodesign.scene.scene import Scene
 PAYLOADS = (2.0, 7.0)
 """In masses of the actuator."""
 PULSE_TIMES = 3.0
-"""Duration of a fast pulse's flanks, in times of the body's own motion."""
+"""Duration of a fast pulse's flanks, relative to the body's own motion."""
 PULSE_AT = (0.1, 0.6)
 """When the pressure falls and when it rises again, as parts of the run."""
 VOLUME_NOISE = 0.005
-"""Noise of a syringe's volume, in parts of what it delivers, where none was measured."""
+"""Noise of a syringe's volume, relative to what it delivers, where none was measured."""
 WELL_KNOWN_NUMBER = 0.01
 """Standard deviation below which it is of no more use to know a number better."""
 EFFORT = 0.15

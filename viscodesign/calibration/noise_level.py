@@ -14,13 +14,13 @@ GROSS_PREDICTION = 5.0
 """Standard deviations from which a prediction error is gross."""
 FEWEST_NEIGHBOURS = 4
 LEAST_REL = 1e-6
-"""Noise of what has none, in parts of its range: digits, at least."""
+"""Noise of what has none, relative to its range: digits, at least."""
 
 
 def noise_level(time: np.ndarray, values: np.ndarray) -> float:
     """Standard deviation of the noise in rows (T,), some of which may be NaN; above 0.
 
-    The smallest of several orders: a signal that moves is no noise. Gross errors do not count,
+    The smallest of several orders: a signal that moves is not noise. Gross errors do not count,
     as long as they are few.
     """
     known = ~np.isnan(values)

@@ -22,7 +22,7 @@ from viscodesign.studies.least_squares import NumberRanges
 NORMAL_95 = 1.959964
 """Standard deviations of a normal distribution that hold 95 %."""
 CLOSE = 0.02
-"""Error of an end, in parts of its distance."""
+"""Error of an end, relative to its distance."""
 LARGEST_MOVE = 1.0
 """Step that is taken at once, beyond which the others are fitted again before it goes on."""
 MOST_PROFILE_POINTS = 12
@@ -190,7 +190,7 @@ class _Profile:
         return point
 
     def _without_own(self, jacobian: np.ndarray) -> np.ndarray:
-        """Derivatives by the other numbers, without the pull of this one."""
+        """Derivatives with respect to the other numbers, without the pull of this one."""
         found = jacobian[:, self._others]
         found[self._own_pull(len(found))] = 0.0
         return found

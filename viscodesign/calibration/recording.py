@@ -158,7 +158,7 @@ def _check_times(time: np.ndarray, lines: Callable[[], list[int]], file: str) ->
     faults = [
         Fault(
             f"time goes from {time[k - 1]:g} s to {time[k]:g} s; times must increase from row to "
-            "row. Sort the rows, or remove those that stand twice",
+            "row. Sort the rows, or remove duplicates",
             file=file,
             line=numbers[k],
         )

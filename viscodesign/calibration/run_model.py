@@ -27,7 +27,7 @@ MOST_MODEL_TIMES = 4000
 KEPT_SLOPES = 2
 """Latest derivatives that a model keeps."""
 SAME_ROW_TIME_REL = 1e-9
-"""Difference of two times, in parts of the run, that is none."""
+"""Difference of two times, relative to the run, that is none."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class RunModel:
             yield self._since_start(spline(self._clipped(float(late))))
 
     def jacobian(self, free: np.ndarray, own: np.ndarray) -> np.ndarray:
-        """(T, C, f + o) Derivatives by the free and the own numbers."""
+        """(T, C, f + o) Derivatives with respect to the free and the own numbers."""
         key = np.concatenate([free, own]).tobytes()
         known = self._slopes.found(key)
         return self._slopes.keep(key, self._jacobian(free, own)) if known is None else known
@@ -151,7 +151,7 @@ class RunModel:
         return np.asarray(np.where(is_late, delayed, on_time))
 
     def _by_clock(self, values: np.ndarray, late: float) -> np.ndarray:
-        """(T, C) Derivatives by the clock's lateness."""
+        """(T, C) Derivatives with respect to the clock's lateness."""
         shape = len(self._times), len(self.channels)
         if not self.clock_is_free:
             return np.zeros(shape)

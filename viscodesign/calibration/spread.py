@@ -13,14 +13,14 @@ UNKNOWN_DEVIATION = 10.0
 
 @dataclass(frozen=True)
 class Spread:
-    """Covariances of steps: of the logarithm of a number, or of it in parts of its size."""
+    """Covariances of steps: of the logarithm of a number, or of it relative to its size."""
 
     values: np.ndarray
     """(u,) The numbers at the best fit."""
     sizes: np.ndarray
     """(u,) Change of a number by a unit step."""
     jacobian: np.ndarray
-    """(n + f, u) Derivatives by steps of all residuals: those of the data, then the pulls."""
+    """(n + f, u) Derivatives of all residuals with respect to steps: the data, then the pulls."""
     pulls: int
     by_data: np.ndarray
     """(u, u) Covariance by the data alone; what they do not tell at all has a standard deviation of

@@ -52,6 +52,6 @@ def _beyond(value: Any, key: str, least: float) -> Iterator[Fault]:
         bound = f"at most {LARGEST_SI:g}" if abs(found) > LARGEST_SI else f"at least {least:g}"
         yield Fault(
             f"is {found:.3g} in SI units, outside the range of double precision for all that is "
-            f"computed of it; must be {bound} in size. Check its unit and its exponent",
+            f"computed from it; its magnitude must be {bound}. Check its unit and its exponent",
             key,
         )

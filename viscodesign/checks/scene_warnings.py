@@ -12,7 +12,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Notice, Verdict
 
 NEAR_VACUUM = 0.05
-"""Absolute pressure, in parts of the ambient, below which pumps rarely go."""
+"""Absolute pressure, relative to the ambient, below which pumps rarely go."""
 
 
 def scene_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Notice]:

@@ -17,7 +17,7 @@ CUT_OFF, MANY_FINE_ROWS = 0.2, 300
 """Cut-off that is proposed, in times t_s, of which the first mode has a period of 1.8; and how many
 rows, less than half of it apart, make a run slow."""
 MEET_REL = 1e-6
-"""Difference of the ends of a cycle, in parts of its range, that is no jump."""
+"""Difference of the ends of a cycle, relative to its range, that does not count as a jump."""
 
 
 def input_notes(quantities: SceneQuantities) -> Iterator[str]:

@@ -118,7 +118,7 @@ def _own_sizes(
     from viscodesign.cli.run_folders import folder_name
 
     if name is not None:
-        raise UsageError("--measure and --template exclude each other; remove one of them")
+        raise UsageError("--measure and --template are mutually exclusive; remove one of them")
     spec = target / DEFAULT_PATH if target.is_dir() else target
     return _NewSpec(None, {spec: first_spec(folder_name(spec.stem), sets, wall, fold)})
 

@@ -56,7 +56,7 @@ def command(
     files: ResultFiles,
     answer: Answer,
 ) -> None:
-    """Tell where the tip can be, and what brings it there.
+    """Find where the tip can be, and what brings it there.
 
     Writes reach.csv, reach.json and reach.png, with one inlet and with one a
     column; with a point its input.csv and a runnable spec.yaml, verified. A
@@ -98,7 +98,7 @@ def _end(study: ReachStudy, folder: Path) -> None:
     """Report a study that was stopped, or a point out of reach, after the files are written."""
     own = study.point
     if study.interrupted:
-        raise InterruptedRunError(f"interrupted; what there is is in {folder}")
+        raise InterruptedRunError(f"interrupted; partial results are in {folder}")
     if own is not None and not own.is_reached:
         raise OutOfReachError(
             f"out of reach by {1e3 * own.miss_m:.3g} mm, from several starts; the nearest input "

@@ -37,7 +37,7 @@ def command(
     files: ResultFiles,
     answer: Answer,
 ) -> None:
-    """Tell how far each number of a spec moves the tip.
+    """Measure how far each number of a spec moves the tip.
 
     Without --tolerance for all numbers, in mm per percent; with it for these numbers, and the
     band that they give. Writes sensitivity.csv, sensitivity.json and sensitivity.png.
@@ -63,4 +63,4 @@ def command(
     paths = written(lambda place: write_sensitivity(study, place, **files.writing), folder)
     answer.give(study.document(), sensitivity_lines(study, folder, paths), paths)
     if stopped is not None:
-        raise InterruptedRunError(f"{stopped}\nwhat there is is in {folder}")
+        raise InterruptedRunError(f"{stopped}\npartial results are in {folder}")

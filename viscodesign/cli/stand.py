@@ -48,7 +48,7 @@ def command(
     files: ResultFiles,
     answer: Answer,
 ) -> None:
-    """Tell how a robot stands on its legs.
+    """Compute how a robot stands on its legs.
 
     Height, sway limit and stiffness against gauge pressure and payload, and the
     barrel that a crouch needs; writes stand.csv, stand.json and stand.png. A robot

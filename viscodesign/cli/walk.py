@@ -41,7 +41,7 @@ def command(
     files: ResultFiles,
     answer: Answer,
 ) -> None:
-    """Tell how a robot walks under its inputs.
+    """Simulate how a robot walks under its inputs.
 
     Body, feet, contact forces, advance per cycle, speed, and what the pumps have to do;
     writes walk.csv, summary.json, spec.yaml, walk.png and report.html, a page that shows it

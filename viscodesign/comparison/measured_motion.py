@@ -34,8 +34,8 @@ def measured_motion(file: Path, markers: MarkersFile | None = None) -> ComparedM
     """The motion in a table, read as `scene.tables` reads all of them.
 
     ``markers``: which of a table in space are at the clamp and which at the tip. Raises
-    `ViscodesignError` with what is wrong: no times, a unit that is unclear, a line that is no row
-    of numbers.
+    `ViscodesignError` with what is wrong: no times, a unit that is unclear, a line that is not a
+    row of numbers.
     """
     in_space = recorded_tip(_header(file), str(file), markers)
     if in_space is not None:

@@ -17,7 +17,7 @@ SX = ca.SX
 DECIDED_REL_TOL = 1e-11
 """Relative difference of two numbers up to which a decision between them may go either way."""
 ROUNDING = 1e-9
-"""Difference of two numbers, over their size, that counts as none where one may not move."""
+"""Relative difference of two values that counts as none where a number may not change."""
 EQUAL_DEPTH = 20
 """Operations up to which two formulas are compared."""
 MOST_PAIRS = 200

@@ -23,7 +23,7 @@ from viscodesign.solve.solvers.rosenbrock import Rosenbrock
 from viscodesign.solve.statics import Start
 
 KEPT = 1e-9
-"""Singular value of I - dphi/dx0, in parts of the largest, below which a period keeps something."""
+"""Singular value of I - dphi/dx0, relative to the largest, below which a period keeps something."""
 NO_TIMES = np.zeros(0)
 
 

@@ -34,7 +34,7 @@ from viscodesign.storage.cached_property import cached_property
 FROZEN_SECTIONS = {
     "accuracy": "it decides how finely a scene is solved",
     "effects": "which effects are included stays as it was chosen",
-    "name": "it is no number of the equations",
+    "name": "the equations do not contain it",
     "pump": "no equation contains the pump's data",
     "uncertainty": "it says how well other numbers are known",
     "spec": "it is the version of the keys",

@@ -34,7 +34,7 @@ class ReadColumns:
     """Columns, and what they were read from."""
 
     rows: list[np.ndarray]
-    """Arguments of the reading."""
+    """Arguments of the function that reads the columns."""
     columns: np.ndarray
     """(T, columns)"""
 

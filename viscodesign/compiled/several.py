@@ -198,7 +198,7 @@ def _wanted(
             known = [f"{name}.tip_x_m" for name in parts]
             hint = did_you_mean(output, [*between, *known])
             own = ", ".join([*known[:2], *between])
-            message = f"'{output}' is no output of several actuators{hint}; such as {own}"
+            message = f"'{output}' is not an output of several actuators{hint}; such as {own}"
             raise SpecError([Fault(message, "outputs")])
         return between[output], output
     part, own = parts[actuator], output.removeprefix(f"{actuator}.")

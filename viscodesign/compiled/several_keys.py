@@ -101,7 +101,7 @@ def _uneven_fault(keys: SeveralKeys) -> Fault:
     of_one = [name for name in keys.names if name.startswith(f"{ACTUATORS}.")]
     return Fault(
         "cannot be free: a syringe feeds several actuators alike, since they are equal, and other "
-        "values would make them unlike. Let the others be `like` the one whose number is free",
+        "values would make them differ. Let the others be `like` the one whose number is free",
         ", ".join(of_one) or ", ".join(keys.names),
     )
 

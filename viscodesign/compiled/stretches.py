@@ -206,11 +206,11 @@ def edges_of(stops: np.ndarray, k: int, times: np.ndarray) -> np.ndarray:
 
 def _without_unknowns(time: float) -> SolveError:
     return SolveError(
-        f"no pressures and forces belong to the state at t = {time:.6g} s",
+        f"no pressures and forces are consistent with the state at t = {time:.6g} s",
         quantity="equilibrium",
         where="rod",
         time_s=time,
-        remedy="Simulate these values by `simulate`, which raises the loads step by step.",
+        remedy="Use `simulate` for these values: it raises the loads step by step.",
     )
 
 
@@ -222,5 +222,5 @@ def _stopped(time: float, at_limit: bool) -> SolveError:
         quantity="work" if at_limit else "step",
         where="run",
         time_s=time,
-        remedy="Raise run.max_steps." if at_limit else "Look at the motion by `simulate`.",
+        remedy="Raise run.max_steps." if at_limit else "Inspect the motion with `simulate`.",
     )

@@ -34,7 +34,7 @@ class SelectionNumbers:
     see how one small effect changes another. Chosen to cover what they were seen to miss."""
     passes: int = 3
     always_kept: float = 10.0
-    """Displacement, in parts of what may be spent, from which an effect is never neglected."""
+    """Displacement, relative to what may be spent, from which an effect is never neglected."""
 
 
 NUMBERS = SelectionNumbers()

@@ -170,7 +170,7 @@ class _SecondOrder:
 
     @property
     def square(self) -> np.ndarray:
-        """Square of the poles' distance from the middle, in parts of the middle (M,) [1]."""
+        """Square of the poles' distance from the middle, relative to the middle (M,) [1]."""
         return np.asarray(1 - 4 * self.delay * self.rate)
 
     def some(self, own: np.ndarray) -> _SecondOrder:
@@ -202,7 +202,7 @@ def _creeping(filters: _SecondOrder) -> np.ndarray:
 
 
 LEAST_ROOT = 1e-6
-"""Distance at which equal poles are held apart, in parts of their size."""
+"""Distance at which equal poles are held apart, relative to their size."""
 
 
 def _wide(values: np.ndarray, drive: np.ndarray) -> np.ndarray:

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 AVERAGING_ROUNDS = 6
 """Rounds in which means over the motion converge at most, to a few thousandths."""
 SETTLED = 3e-4
-"""Change of a pressure in a round, in parts of the swing, after which there is no other round."""
+"""Change of a pressure in a round, relative to the swing, after which there is no other round."""
 LEAST_PRESSURE = 0.02
-"""Absolute pressure, in parts of the ambient, below which a linear network is not followed."""
+"""Absolute pressure, relative to the ambient, below which a linear network is not followed."""
 LEAST_VOLUME = 0.02
-"""The same for a bellow's volume, in parts of that at rest."""
+"""The same for a bellow's volume, relative to that at rest."""
 
 
 def averaged(

@@ -28,10 +28,10 @@ class GridDensity:
     behind_corner: int = 10
     """Graded samples behind every corner."""
     least_move: float = 0.01
-    """Change of an input, in parts of its range, that makes a swing where it has so many corners
-    that an estimate must end before them: rows of a recording that rests are no swings."""
+    """Change of an input, relative to its range, that makes a swing where it has so many corners
+    that an estimate must end before them: rows of a recording that rests are not swings."""
     first_step: float = 1e-3
-    """Smallest graded step behind a corner, in parts of the time to the next one."""
+    """Smallest graded step behind a corner, relative to the time to the next one."""
 
 
 DENSITY = GridDensity()

@@ -30,7 +30,7 @@ from viscodesign.storage.cached_property import cached_property
 T = TypeVar("T")
 
 SUDDEN_SHARE = 0.3
-"""Swing of a rod that its weight meets at once, in parts of the accuracy, that is negligible."""
+"""Swing of a rod that its weight meets at once, relative to the accuracy, that is negligible."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +43,7 @@ class SceneQuantities:
         # All that takes a scene begins here.
         if not isinstance(self.scene, Scene):
             given = described(self.scene)
-            raise UsageError(f"expected a scene, such as load('leg.yaml') gives; got {given}")
+            raise UsageError(f"expected a scene, such as load('leg.yaml') returns; got {given}")
 
     @cached_property
     def _memory(self) -> dict[Hashable, Any]:

@@ -16,7 +16,7 @@ from viscodesign.scene.spec_part import copied
 
 MOST_ALTERNATIVES = 8
 WORSE_FIT = 10.0
-"""Times the best distance, beyond which a design is no alternative."""
+"""Multiple of the best distance beyond which a design is not an alternative."""
 
 
 def alternatives(

@@ -31,7 +31,7 @@ DRAWS, FREQUENCIES, PERIOD_REACH = 24, 7, 300.0
 ROUND = 0.2
 """Area of a loop, over that of a circle of its length, from which it has a sense."""
 LINEAR_AMPLITUDE = 1e-4
-"""Amplitude of the harmonic, in parts of the limits: a linear motion."""
+"""Amplitude of the harmonic, relative to the limits: a linear motion."""
 SLOW = 2.0
 """Shortest period, over that in which the rod swings by itself, at which it follows without."""
 LEAST_AREA = 1e-3

@@ -21,7 +21,7 @@ DIRECTIONS, FEW_DIRECTIONS = 192, 36
 ROUNDS = 3
 """Times that the edge is moved outwards along its normals, and its points spread again."""
 BETWEEN, NEAR = 12, 0.1
-"""Points between two of an edge, and the longest move of one, in parts of the edge's size."""
+"""Points between two of an edge, and the longest move of one, relative to the edge's size."""
 PAST_STEPS, PAST_TIMES, FIRST_TIME = 600, 14.0, 1e-3
 """Steps of the past, its length in slowest time constants, and its first step in fastest ones."""
 COARSE_SAMPLES, FINE_SAMPLES = 16, 128

@@ -27,7 +27,7 @@ from viscodesign.simulation.simulate import simulate
 REACHED_DISTANCE = 0.2e-3
 """Distance at which a point counts as reached [m]."""
 LEFT = (0.95, 0.72, 0.52, 0.36, 0.24, 0.15, 0.08, 0.035, 0.0)
-"""Times of the free rows of the input before the end, in parts of the run: what lies far from the
+"""Times of the free rows of the input before the end, relative to the run: what lies far from the
 inlet has a long memory, what lies near it a short one."""
 KNOTS = len(LEFT)
 BUDGET_S = 60.0
@@ -145,7 +145,7 @@ def _verified(
 
 
 def _with_path(posed: Scene, values: np.ndarray, times: np.ndarray, begins: float) -> Scene:
-    """The scene with an input, and output times that show the tip's way."""
+    """The scene with an input, and output times that show the tip's path."""
     shown = np.linspace(0.0, float(times[-1]), PATH_TIMES).tolist()
     return posed.replace({**_rows(values, times, begins), "run.output_times": shown})
 

@@ -96,7 +96,7 @@ class SearchTask:
         return clock.perf_counter() > until
 
     def tell(self) -> None:
-        """Tell how far the search has come."""
+        """Report how far the search has come."""
         if self.progress is not None:
             spent = clock.perf_counter() - self.log.began
             self.progress(min(spent / self.budget_s, 1.0), self.log.best_m)

@@ -53,7 +53,7 @@ class SharedFormulas:
 
     @property
     def local(self) -> LocalEquations | None:
-        """The equations as sums of local terms; None where they are no such sums."""
+        """The equations as sums of local terms; None where they are not such sums."""
         return self._local.get("local", self._local_equations)
 
     def _local_equations(self) -> LocalEquations | None:
@@ -186,7 +186,7 @@ class Equations(EquationLayout):
 
     @property
     def local(self) -> LocalEquations | None:
-        """The equations as sums of local terms; None where they are no such sums."""
+        """The equations as sums of local terms; None where they are not such sums."""
         return self.shared.local
 
     def compiled(

@@ -47,7 +47,7 @@ class Formulas:
     """Their coefficients of friction (c,) [1]."""
     quantities: Sequence[SX]
     take_apart: Callable[[], LocalEquations | None]
-    """The equations as sums of local terms; None where they are no such sums."""
+    """The equations as sums of local terms; None where they are not such sums."""
 
 
 def balances(e: Formulas) -> ca.Function:

@@ -178,7 +178,7 @@ def _as_blocks(rows: Sequence[SX]) -> list[Block]:
 
 
 def _plain(block: Block) -> SX:
-    """What is no gradient in a block of rows."""
+    """What is not a gradient in a block of rows."""
     parts = [part for part in block if not isinstance(part, GradientRows)]
     return sum(parts, SX.zeros(rows_of(block)))
 

@@ -1,4 +1,4 @@
-"""Marks of dataclass fields whose values are no part of a structure; see `structure`."""
+"""Marks of dataclass fields whose values are not part of a structure; see `structure`."""
 
 from __future__ import annotations
 

@@ -141,7 +141,7 @@ class Walk:
         return self._state(value)
 
     def _state(self, value: Any) -> Hashable:
-        """By the way in which an object is copied, which is all that there is to it."""
+        """The key of an object's whole state: what a copy of it would be made of."""
         kind: Any = type(value)
         for name in _derived(kind):
             getattr(value, name)  # or the key would depend on what had been computed before
@@ -168,7 +168,7 @@ class Walk:
         )
 
     def _numbers(self, kind: type) -> dict[str, bool]:
-        """The fields of a class that are no structure (see `_number_fields`)."""
+        """The fields of a class that do not count as structure (see `_number_fields`)."""
         return _number_fields(kind)
 
 

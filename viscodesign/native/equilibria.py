@@ -40,7 +40,7 @@ def follow_equilibria(
 
     By Newton's full steps from what the two solutions before extrapolate to, at most ``most_ahead``
     times as far ahead as they are apart; it ends where these do not converge, or where unknowns in
-    ``span`` are farther than ``near``, in parts of the largest of them, from their guess and from
+    ``span`` are farther than ``near``, relative to the largest of them, from their guess and from
     the solution before. ``mass`` (n,): that of other rows, whose unknowns stay; ``rest``: see
     `march`.
     """
@@ -48,7 +48,7 @@ def follow_equilibria(
     Y = np.concatenate([np.zeros(n + assembly.drives + 1), rest])
     fits = (lu.size, lu.entries, len(mass)) == (n, assembly.entries, n)
     if not fits or len(state.now) != n or len(state.before) != n or len(Y) < assembly.reach:
-        raise ValueError("assembly, LU, masses, unknowns and inputs do not belong together")
+        raise ValueError("assembly, LU, masses, unknowns and inputs are not of one system")
     if not 0 <= span.start <= span.stop <= n:
         raise ValueError(f"no unknowns {span.start} to {span.stop} among {n}")
     before, now = state.before.astype(float), state.now.astype(float)

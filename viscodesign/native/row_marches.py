@@ -70,7 +70,7 @@ def march_rows(
     count, n = len(Y), assembly.unknowns
     _check(assembly, numbers, Y)
     if (lu.size, lu.entries, len(mass)) != (n, assembly.entries, n):
-        raise ValueError("assembly, LU and masses do not belong together")
+        raise ValueError("assembly, LU and masses are not of one system")
     ends = np.cumsum([0, *map(len, edges)]).astype(DTYPES["counts"])
     y, powers = Y[:, :n].copy(), settings[0].powers
     state = np.ones((count, CLOCK))

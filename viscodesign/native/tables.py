@@ -46,7 +46,8 @@ class ElementTable:
     pos: np.ndarray
     """int32 (groups, nz, W): entries that the derivatives add to; nnz is the spare one.
 
-    Entries nnz+1.. are the derivatives by drives (`Assembly.drive_rows`, `drive_columns`).
+    Entries nnz+1.. are the derivatives with respect to drives (`Assembly.drive_rows`,
+    `drive_columns`).
     """
 
 
@@ -57,7 +58,7 @@ class SourceTable:
     value: Kernel
     """(local (nl, W), numbers (np, W)) -> drives (nr, W)."""
     rate: Kernel
-    """The same arguments -> their derivatives by time (nr, W) [1/s]."""
+    """The same arguments -> their derivatives with respect to time (nr, W) [1/s]."""
     idx: np.ndarray
     """int32 (groups, nl, W): places of the local values in Y, such as time n + nd."""
     numbers: np.ndarray
@@ -70,8 +71,8 @@ class Assembly:
     """Sums over all elements: the residual r (n,) and its Jacobian.
 
     ``unknowns`` n, ``drives`` nd, ``entries`` nnz of the Jacobian (duplicates merged, any order);
-    ``drive_rows``, ``drive_columns`` (ndr,): where the derivatives by drives belong. ``loops``:
-    native ones by default, the twin in Python takes kernels in Python.
+    ``drive_rows``, ``drive_columns`` (ndr,): where derivatives with respect to drives belong.
+    ``loops``: native ones by default, the twin in Python takes kernels in Python.
     """
 
     def __init__(

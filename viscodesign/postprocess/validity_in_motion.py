@@ -64,8 +64,8 @@ def _stretched(peak: Peak) -> Notice:
     return Notice(
         "large_stretch",
         f"{where} is stretched to {peak.value:.3g} times its length or more: no elastomer is "
-        "linear that far; lower the loads or the pressure, or check actuator.youngs_modulus and "
-        "actuator.extension_factor",
+        "linear at such strains; lower the loads or the pressure, or check "
+        "actuator.youngs_modulus and actuator.extension_factor",
         where,
         peak.time_s,
     )

@@ -33,7 +33,7 @@ class LagNumbers:
     tie_rel_tol: float = 1e-9
     """Difference of cosines that counts as none: of equal ones the smallest shift is taken."""
     kink_share: float = 1e-9
-    """Slope beside a peak, in parts of its change over an interval, from which it is a kink."""
+    """Slope beside a peak, relative to its change over an interval, from which it is a kink."""
     least_samples: int = 5
     """Samples below which nothing is compared."""
     least_intervals: int = 200

@@ -166,7 +166,7 @@ class Experiment:
     sensors: tuple[str, ...]
     """What is measured beside what was."""
     half_widths: Mapping[str, float]
-    """Expected half width of every number's interval, in parts of its value, with all data."""
+    """Expected half width of every number's interval, relative to its value, with all data."""
 
     def document(self) -> dict[str, Any]:
         """The experiment for a program."""

@@ -110,7 +110,7 @@ class SensitivityStudy(NotebookView):
 
     @property
     def shares(self) -> np.ndarray:
-        """(k,) of the variance of both coordinates, over all output times."""
+        """(k,) of the variance of both coordinates, over all output times, by each number."""
         own = np.sum(self.spread**2, axis=(0, 1))
         return np.asarray(own / (own.sum() or 1.0))
 

@@ -200,7 +200,7 @@ class Trajectory(MotionArrays):
     failure: str | None = None
     """Why the run ended early."""
     failure_time_s: float | None = None
-    """When what ended it happened [s], to all digits; None where that is no moment."""
+    """When what ended it happened [s], to all digits; None where that is not one moment."""
     notes: tuple[str, ...] = ()
     """What was read from files for its inputs, what was taken out, and what it cannot have."""
     violations: tuple[Notice, ...] = ()

@@ -143,7 +143,7 @@ class LegFunctions:
 
     design: LegDesign
     linearised: TapedFunction
-    """Residual and reaction, then their derivatives by unknowns and by place, dense."""
+    """Residual and reaction, then their dense derivatives with respect to unknowns and place."""
     plain: TapedFunction
     """Residual and reaction."""
     after: TapedFunction

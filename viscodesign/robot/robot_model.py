@@ -92,7 +92,7 @@ class LinearisedLegs:
     reaction: np.ndarray
     """Generalised force that the legs take, at unchanged place (l, 7)."""
     stiffness: np.ndarray
-    """Its derivative by the place (l, 7, 7)."""
+    """Its derivative with respect to the place (l, 7, 7)."""
     own: np.ndarray
     """Step of load and pressures at unchanged place (l, m)."""
     own_by_place: np.ndarray

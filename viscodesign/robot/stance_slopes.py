@@ -1,9 +1,9 @@
 """How a stance moves with the numbers of a robot: the implicit function theorem.
 
 A stance is where three things hold: every leg's rod meets its foot, all forces balance, and the
-contacts stay as they are. Their derivatives by the unknowns and by the free numbers give those of
-the unknowns; the code that makes the numbers of legs and body is run on numbers that carry
-formulas.
+contacts stay as they are. Their derivatives with respect to the unknowns and the free numbers
+give those of the unknowns; the code that makes the numbers of legs and body is run on numbers
+that carry formulas.
 """
 
 from __future__ import annotations

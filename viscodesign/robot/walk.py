@@ -136,7 +136,7 @@ class _Gait:
 
 
 def step_change(levels: Sequence[_Level], body_length: float) -> float:
-    """Change of the advance per cycle by the last halving of the step, relative to it."""
+    """Relative change of the advance per cycle when the step was last halved."""
     if len(levels) < 2:
         return math.nan
     before, last = levels[-2].advance, levels[-1].advance
@@ -210,7 +210,7 @@ def _sway(
         quantity="place",
         where="stance",
         time_s=0.0,
-        remedy="`viscodesign stand` tells what they bear",
+        remedy="`viscodesign stand` shows how much they bear",
     )
 
 

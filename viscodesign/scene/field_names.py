@@ -26,7 +26,7 @@ def refuse_shadowing(part: type[BaseModel]) -> None:
 
 
 def _owner(part: type, name: str) -> type | None:
-    """The base class that has an attribute of this name which is no field."""
+    """The base class that has an attribute of this name which is not a field."""
     for base in part.__mro__[1:]:
         if name in getattr(base, "__pydantic_fields__", {}):
             return None

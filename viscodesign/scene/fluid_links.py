@@ -74,7 +74,7 @@ class LinkedGroup:
 
     @property
     def junctions(self) -> tuple[str, ...]:
-        """The nodes between actuators that are no inputs."""
+        """The nodes between actuators that are not inputs."""
         ends = dict.fromkeys(end for tube in self.shared for end in (tube.start, tube.end))
         return tuple(n for n in ends if n not in self.inputs and owner_of(n, self.names) is None)
 

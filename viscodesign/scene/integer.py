@@ -14,7 +14,7 @@ MAX_INTEGER_DIGITS = 18
 def as_integer(given: Any) -> Any:
     """An integer as text, or as a number with a zero after its point, as an integer.
 
-    Anything else as it is given, to be refused; on and off are no numbers.
+    Anything else as it is given, to be refused; on and off are not numbers.
     """
     if isinstance(given, str) and re.fullmatch(
         rf"[+-]?[0-9]{{1,{MAX_INTEGER_DIGITS}}}", given.strip()

@@ -17,7 +17,7 @@ MAX_OUTPUT_TIMES = 1_000_000
 MAX_SHAPES = 20_000
 """Shapes after the first that are written unless `shape_every` is given."""
 OUTPUT_KEYS = ("output_interval", "output_times")
-"""Keys that exclude each other."""
+"""Keys that are mutually exclusive."""
 TIME_SPACING_REL_MIN = 1e-11
 """Smallest spacing of output times relative to the duration: closer ones are one row of a table."""
 DEFAULT_OUTPUT_INTERVAL = 0.02
@@ -67,7 +67,7 @@ class RunSettings(SpecPart):
         if len(keys) == len(OUTPUT_KEYS):
             raise invalid_at(
                 "output_times",
-                "given together with output_interval; they exclude each other, remove one of them",
+                "given together with output_interval; they are mutually exclusive, remove one",
             )
         return {key: value for key, value in given.items() if key in keys or key not in OUTPUT_KEYS}
 

@@ -143,7 +143,7 @@ def sizes_of(quantities: SceneQuantities) -> Sizes:
 
 
 HARDLY_RESISTS = 3e-3
-"""Time in which a tube fills one bellow, in times of the input's swing, below which the flow
+"""Time in which a tube fills one bellow, relative to the input's swing, below which the flow
 through it is an unknown of its own. At the tolerances of the default accuracy (1e-5 of the
 pressure) an error of pressure would pass for 1/300 of that flow."""
 MOST_RESIST = 0.75

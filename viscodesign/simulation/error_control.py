@@ -46,7 +46,7 @@ class ErrorControlNumbers:
     max_refinements: int = 6
     """Solutions beyond the first after which the accuracy counts as not reached."""
     time_share: float = 0.5
-    """Error of the finer of two solutions whose tolerances differ tenfold, in parts of their
+    """Error of the finer of two solutions whose tolerances differ tenfold, relative to their
     distance: over a hundred scenes 0.16 in the median, above 0.5 only where it was negligible."""
     space_share: float = 0.7
     """The same where the edges differ twofold: a third in the median, as order two has it; more
@@ -55,7 +55,7 @@ class ErrorControlNumbers:
     """Part of the requested accuracy that each of both is at least: two solutions may agree by
     chance, the more so where little moves."""
     least_time_per_length: float = 0.9e-7
-    """Least error in time, in parts of the length: jumps leave as much."""
+    """Least error in time, relative to the length: jumps leave as much."""
     max_growing: int = 2
     """Refinements in a row that each move the tip farther than the one before, after which no
     more are tried."""
@@ -63,11 +63,11 @@ class ErrorControlNumbers:
     """Energy residual, over the work done, above which smaller steps are tried once the tip is
     accurate enough: a motion that looks right may still lose or gain what it should keep."""
     useful_reduction: float = 0.8
-    """Part of the least residual so far that smaller steps may leave, or they were no use."""
+    """Part of the least residual so far that smaller steps may leave, or they were of no use."""
     max_useless: int = 2
-    """Solutions in a row that were no use, after which no more are tried."""
+    """Solutions in a row that were of no use, after which no more are tried."""
     negligible_share: float = 0.05
-    """Error of a solution, in parts of that of neglected effects, that is not refined further."""
+    """Error of a solution, relative to that of neglected effects, that is not refined further."""
 
 
 ERROR_CONTROL = ErrorControlNumbers()

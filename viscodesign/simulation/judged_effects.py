@@ -43,7 +43,7 @@ class JudgingNumbers:
     coarser_tolerance: float = 10.0
     """Tolerance of the solution with everything, over that of the run."""
     steps_share: float = 0.7
-    """Error of a run by steps and mesh, in parts of its distance to a solution as coarse as that
+    """Error of a run by steps and mesh, relative to its distance to a solution as coarse as that
     with the same effects."""
     energy_margin: float = 3.0
     """Energy residual that is foreseen of a run, over what the solution with everything has in

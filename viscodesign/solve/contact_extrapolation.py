@@ -33,7 +33,7 @@ class ExtrapolationControl:
     penetration_m: float = 1e-7
     """Distance from the surface, to either side, of an extrapolated point that touches it."""
     penetration_share: float = 0.01
-    """The same, in parts of the tip error that the tolerance allows."""
+    """The same, relative to the tip error that the tolerance allows."""
 
 
 EXTRAPOLATION = ExtrapolationControl()

@@ -27,14 +27,14 @@ class ContactControl:
     """Numbers that steer the steps."""
 
     first_share: float = 1 / 16
-    """First step of a way, in parts of its length."""
+    """First step of a way, relative to its length."""
     safety: float = 0.8
     max_growth: float = 3.0
     careful_growth: float = 1.5
     """Where a contact is about to change, or seems to be."""
     min_growth: float = 0.1
     min_share: float = 1e-11
-    """Shortest step, in parts of the whole run."""
+    """Shortest step, relative to the whole run."""
 
 
 CONTROL = ContactControl()

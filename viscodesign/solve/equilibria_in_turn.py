@@ -25,7 +25,7 @@ class EquilibriaInTurn:
         this_machine()  # code that was made before may have been switched off
         local = problem.equations.local
         if local is None:
-            raise NativeUnavailable("the equations are no sums of local terms")
+            raise NativeUnavailable("the equations are not sums of local terms")
         self._problem, self._local, self._compiled = problem, local, local.compiled
         self._assembly = self._compiled.bound(problem.numbers())
 

@@ -27,7 +27,7 @@ VANISHING_STRETCH = 0.01
 """Stretch of a section that ends a run: the linear law presses it to nothing, and on the way there
 any two solutions part."""
 DIP_MARGIN = 3.0
-"""Depth of a dip between two rows, in times of its parabola's, that is looked into."""
+"""Depth of a dip between two rows, relative to its parabola's, that is looked into."""
 
 Rows = Mapping[str, np.ndarray]
 """Named outputs, each (T, n); pressures and volumes in the order of the bellows."""

@@ -22,7 +22,7 @@ class CycleNumbers:
     """What steers the search for a limit cycle, and when it ends."""
 
     tolerance_share: float = 0.1
-    """Tolerance of the periods solved, in parts of that of the run: what they miss adds up where
+    """Tolerance of the periods solved, relative to that of the run: what they miss adds up where
     the motion takes many periods to settle."""
     closure: float = 0.05
     """Step, in tolerances of the run, below which states count as on the cycle."""
@@ -34,7 +34,7 @@ class CycleNumbers:
     memory: int = 60
     """Periods that a step is extrapolated from."""
     extrapolation_rel: float = 1e-9
-    """Change of the gap, in parts of that of the states, below which a period tells nothing."""
+    """Change of the gap, relative to that of the states, below which a period tells nothing."""
     halvings: int = 3
     """Tries of a step, each half the one before, until it leads nearer; then the motion just goes
     on for a period."""

@@ -1,7 +1,7 @@
 """Formulas of linear equations with constant coefficients, for their modes.
 
 Whether equations are of this kind is read from their formulas, whatever effects these are made
-of: all derivatives by the unknowns are free of unknowns, time and inputs.
+of: all derivatives with respect to the unknowns are free of unknowns, time and inputs.
 """
 
 from __future__ import annotations

@@ -148,7 +148,7 @@ class ModalSystem:
             sums = solve(rows)
             found[:, own] = (sums + solve(rows - matrix @ sums)).T
         if not np.isfinite(found).all():
-            raise np.linalg.LinAlgError("idle states are no sums of the others")
+            raise np.linalg.LinAlgError("idle states are not linear combinations of the others")
         return found
 
     def _acting_on_idle(self) -> np.ndarray:

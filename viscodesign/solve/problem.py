@@ -120,7 +120,7 @@ class Problem:
     """Volume of a bellow at zero gauge, without what tubes share with it [m3]."""
     floor_volume: Numbers | None
     """Minimum volume, at which a gas-filled bellow ends a run [m3]; None where the model covers
-    the contact of its walls, or where the fluid is no gas."""
+    the contact of its walls, or where the fluid is not a gas."""
     drawing: DrawingLimits | None
     """How far a syringe can empty the bellows; None without one."""
     remedies: Remedies

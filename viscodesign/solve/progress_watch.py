@@ -39,7 +39,7 @@ class ProgressWatch:
             return None
         rest = f"about {taken * (self._end - time) / moved:.2g}" if moved > 0.0 else "endless"
         return SolveError(
-            f"the run crawls at t = {time:.6g} s: {taken} steps brought it on by {moved:.3g} s, "
+            f"the run hardly advances at t = {time:.6g} s: {taken} steps covered {moved:.3g} s, "
             f"and the rest would take {rest} steps (run.max_steps: {self._max_steps})",
             quantity="work",
             where="integrator",

@@ -49,7 +49,7 @@ class ChunkSizes:
     max_numbers: int = 1_000_000
     """Numbers that one call of the integrator may return."""
     max_share_of_steps: float = 0.02
-    """Intervals of one call, at most, in parts of the steps that a run may take."""
+    """Intervals of one call, at most, relative to the steps that a run may take."""
     min_intervals: int = 500
     """Intervals that one call may have whatever steps are allowed."""
 

@@ -19,7 +19,7 @@ from viscodesign.studies.differentiable import LeftOut, differentiable
 from viscodesign.studies.stated_uncertainty import StatedDeviation
 
 WIDEST_BAND = 0.43
-"""Half-width, in parts of the length, up to which bands were found to hold
+"""Half-width, relative to the length, up to which bands were found to hold
 (`benchmarks/results/uncertainty_coverage.md`)."""
 BAND_STEP_TOLERANCE = 1e-3
 """Of the steps: bands by it are within a percent of those by far smaller ones."""
@@ -35,7 +35,8 @@ def coefficient_band(
 ) -> CoefficientBand | Notice | None:
     """The band of a complete run, with the effects that it included, or why there is none.
 
-    By one more solution and its exact derivatives by the numbers whose deviations are ``stated``.
+    By one more solution and its exact derivatives with respect to the numbers whose deviations
+    are ``stated``.
     """
     if run.status != "complete":
         return None
@@ -50,7 +51,8 @@ def coefficient_band(
             )
         return Notice("no_band", f"the uncertainty of the tip is unknown: {error}", "uncertainty")
     if slopes.shape[0] != len(run.time) or not np.all(np.isfinite(slopes)):
-        return Notice("no_band", "the motion has no derivatives by its numbers", "uncertainty")
+        reason = "the motion cannot be differentiated with respect to its numbers"
+        return Notice("no_band", reason, "uncertainty")
     spread = np.array([stated[key].deviation for key, _, _ in numbers])
     moved = slopes * spread
     covariance = [np.sum(moved[:, i] * moved[:, k], axis=1) for i, k in ((0, 0), (1, 1), (0, 1))]

@@ -65,7 +65,7 @@ def opened(folder: Path, study: str, words: str, *, replace: bool = False) -> It
                 f"{folder} holds another sweep: {head.get('words', 'unknown')}. Use another "
                 "folder with -o DIR, or --force to replace it"
             )
-        # A line that a disk has spoilt is no row: it is computed again.
+        # A line that a disk has spoilt is not a row: it is computed again.
         parsed = (_parsed(line) for line in lines[1:])
         results = [_result(line) for line in parsed if _is_row(line)]
         with write_errors_as_usage(path):

@@ -17,9 +17,9 @@ from viscodesign.lazy_dataclass import dataclass
 LOG_FROM = 3.0
 """Ratio of two positive bounds from which a number is scaled by its logarithm."""
 AT_BOUND = 1e-4
-"""Distance from a bound, in parts of the range, at which a number counts as at it."""
+"""Distance from a bound, relative to the range, at which a number counts as at it."""
 DESCENT_REL_TOL = 1e-9
-"""Relative change of the sum of squares, and step in parts of the ranges, that ends a descent."""
+"""Relative change of the sum of squares, and step relative to the ranges, that ends a descent."""
 SAME_COST = 1.02
 """Ratio of two sums of squares up to which they count as the same optimum."""
 MAX_EVALUATIONS = 200

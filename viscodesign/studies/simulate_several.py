@@ -45,7 +45,7 @@ def simulate_several(
     if not isinstance(scene, SeveralScene):
         given = described(scene)
         raise UsageError(
-            f"expected several actuators, such as load_several('legs.yaml') gives; got {given}"
+            f"expected several actuators, such as load_several('legs.yaml') returns; got {given}"
         )
     equal_to = equal_actuators(scene)
     alone = [name for name in scene.scenes if name not in equal_to]

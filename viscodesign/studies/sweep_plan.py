@@ -47,7 +47,7 @@ class SweepPlan:
 
     @property
     def words(self) -> str:
-        """What it is, in words."""
+        """The plan in words, for messages."""
         names = ", ".join(key.name for key in self.keys[:4])
         more = len(self.keys) - 4
         names += f" and {more} more" if more > 0 else ""

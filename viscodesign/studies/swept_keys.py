@@ -33,7 +33,7 @@ class SweptKey:
         return self.values.key
 
     def written(self, value: Any) -> Any:
-        """A value as a spec has it: a whole number is no fraction, and text is read as YAML."""
+        """A value as a spec has it: a whole number is not a fraction, and text is read as YAML."""
         if isinstance(value, str):
             return parse_value(value, self.name)
         return int(value) if self.values.unit == "1" and float(value).is_integer() else value

@@ -22,7 +22,7 @@ _TOKEN = re.compile(rf"\s*({NUMBER}|[^\W\d]+|%|\*\*|[-^*/()])\s*")
 
 
 class _NotCommonError(ValueError):
-    """Text that is no product of common units."""
+    """Text that is not a product of common units."""
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ class _Table:
         if first.endswith("-"):
             self._prefixes |= dict.fromkeys((name[:-1] for name in names), Fraction(value))
         elif value.startswith("["):
-            # Radians count as well, so that an angular speed is no frequency.
+            # Radians count as well, so that an angular speed is not a frequency.
             self._units |= dict.fromkeys(names, CommonUnit(Fraction(1), ((first, 1),)))
         else:
             self._units |= dict.fromkeys(names, self._derived(value))

@@ -90,7 +90,7 @@ def _unit(spelled: str) -> tuple[str, tuple[str, ...], bool]:
     differs = not lone and any(name in OFFSET_UNITS for name in names)
     written = [_difference(name, text) if differs else text for name, text in parts]
     if "%" in names and not lone:
-        raise GrammarError("'%' stands alone, behind a number")
+        raise GrammarError("'%' must stand alone, after a number")
     return "".join(written), names, differs
 
 

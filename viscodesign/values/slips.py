@@ -35,7 +35,7 @@ _SLIPS: tuple[tuple[str, str], ...] = (
     ),
     (
         r".*(?:\+ ?/? ?-|±|\+-).*",
-        "a tolerance is no part of a value; write the number alone",
+        "a tolerance is not part of a value; write the number alone",
     ),
     (
         r"[+-]?[0-9.]+ *\([0-9.]+\).*",

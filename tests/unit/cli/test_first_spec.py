@@ -83,7 +83,7 @@ def test_a_whole_section_may_be_given() -> None:
         (["--set", "bellows.lenth=1 mm"], "did you mean 'length'?"),
         (["--set", "bellows.length"], "must have the form key.path=value"),
         (["--set", "bellows.angle_per_pressure=0"], "must be above 0 with --measure"),
-        (["--template", "leg_4_air"], "--measure and --template exclude each other"),
+        (["--template", "leg_4_air"], "--measure and --template are mutually exclusive"),
     ],
 )
 def test_what_cannot_be_is_refused(

@@ -132,14 +132,14 @@ def test_equal_actuators_are_solved_once() -> None:
     [
         ({}, "actuators.twin.bellows.height", "left.tip_x_m", "is like 'left'"),
         ({}, "actuators.left.bellows.hight", "left.tip_x_m", "did you mean"),
-        ({}, "inputs.A.amplitude", "tip_x_m", "no output of several actuators"),
+        ({}, "inputs.A.amplitude", "tip_x_m", "not an output of several actuators"),
         ({}, "inputs.A.amplitude", "left.tip_y_m", "tip_x_m"),
         ({}, "actuators.left.source", "left.tip_x_m", "not a number"),
         ({}, "inputs.B.delay", "left.tip_x_m", "none of the outputs depends on it"),
         ({}, "accuracy", "left.tip_x_m", "how finely"),
         (
             {"inputs": {"A": SYRINGE}, "actuators": {n: {**LEFT, "source": "A"} for n in "ab"}},
-            "actuators.a.bellows.height", "a.tip_x_m", "make them unlike",
+            "actuators.a.bellows.height", "a.tip_x_m", "make them differ",
         ),
     ],
 )  # fmt: skip

@@ -56,7 +56,7 @@ def test_the_default_interval() -> None:
         ("duration: 1e6 s", ["run.output_interval: 5e+07 outputs; at most 10000000"]),
         (
             "duration: 8, output_interval: 1, output_times: [1]",
-            ["run.output_times: given together with output_interval; they exclude each other"],
+            ["run.output_times: given together with output_interval; they are mutually exclusive"],
         ),
         (
             "duration: 8, output_times: [1, 1.00000000001]",
@@ -87,7 +87,7 @@ def test_an_override_replaces_the_other_choice_of_the_file() -> None:
     assert leg("run.output_times=[1, 2]").run.output_times == (1.0, 2.0)
     both = ("run={duration: 8 s, output_times: [1, 2]}", "run.output_interval=1 s")
     assert leg(*both).run.output_times is None
-    with pytest.raises(SpecError, match="exclude each other"):
+    with pytest.raises(SpecError, match="mutually exclusive"):
         leg("run.output_times=[1, 2]", "run.output_interval=1 s")
 
 

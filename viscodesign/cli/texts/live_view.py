@@ -55,7 +55,7 @@ class NonblockingText:
         self._own = _reopened(stream) if self.terminal else None
 
     def write(self, text: str) -> None:
-        """All of it, some of it, or none; a reader that has gone is no error either."""
+        """Write as much as standard error takes; a reader that has gone is not an error either."""
         with contextlib.suppress(OSError):
             if self._own is not None:
                 os.write(self._own, text.encode())

@@ -24,7 +24,7 @@ class Slope:
 
 @dataclass(frozen=True)
 class Potential:
-    """Scalar terms whose derivatives by unknowns are parts of equations."""
+    """Scalar terms whose derivatives with respect to unknowns are parts of equations."""
 
     terms: Sequence[SX]
     slopes: Mapping[int, Slope]
@@ -47,7 +47,7 @@ class BalanceLayout:
 
     @property
     def unknowns_of_formulas(self) -> int:
-        """Unknowns that are no sums."""
+        """Unknowns that are not sums."""
         return self.states + self.algebraics + self.integrals
 
 

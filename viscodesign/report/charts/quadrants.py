@@ -63,7 +63,7 @@ MOST_NAMED_MARKS, MOST_NAMES_PER_MARK = 5, 3
 
 @dataclass(frozen=True)
 class Mark:
-    """One or more specs at one place of the plane, in parts of its sides."""
+    """One or more specs at one place of the plane, relative to its sides."""
 
     x: float
     y: float

@@ -64,7 +64,7 @@ class TipLayout:
 
 IN = TipLayout()
 ZOOM_RANGE = (1e-3, 0.25)
-"""A path whose extent is in this range, in parts of that of the bodies, is also drawn enlarged."""
+"""A path whose extent is in this range, relative to that of the bodies, is also drawn enlarged."""
 
 
 def draw_tip(trajectory: Trajectory, path: Target) -> None:

@@ -67,7 +67,7 @@ def _taken(axes: Axes, trajectory: Trajectory) -> list[Box]:
 
 
 def _write(axes: Axes, label: Label, side: float) -> None:
-    """A time, in parts of the longer side, with a line to its dot where it is far from it."""
+    """A time beside its dot, with a line to it where it is far; lengths over the longer side."""
     width, height = _size(axes) / side
     if label.step > 0:
         ends = (

@@ -40,7 +40,7 @@ RC: Any = {
     "hatch.linewidth": 0.6,
     "savefig.dpi": 200,
     "pdf.fonttype": 42,  # as letters that a publisher can edit
-    # Names are printed as they are: a dollar sign in one is no formula.
+    # Names are printed as they are: a dollar sign in one is not a formula.
     "text.parse_math": False,
     "text.usetex": False,
     "svg.hashsalt": "viscodesign",  # the same picture is the same file

@@ -40,7 +40,7 @@ class TableText:
 
 
 def taken_apart(text: str) -> TableText:
-    """A text as a table: its first line that is no comment is the header, unless it is numeric.
+    """A text as a table: its first line that is not a comment is the header, unless it is numeric.
 
     Then the comment right above it may be the header, as numpy writes it. Where it names no unit,
     the lines right above the first numbers may be the header.

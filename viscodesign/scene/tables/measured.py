@@ -19,7 +19,7 @@ from viscodesign.units import Frequency, Pressure, QuantityKind, Time
 MAX_FOLLOWED = 50_000
 """Rows that a run follows one by one; of more, straight pieces are made."""
 BOUND_SHARE = 0.1
-"""Pressure that straight pieces may be off, in parts of accuracy times the range of the table.
+"""Pressure that straight pieces may be off, relative to accuracy times the range of the table.
 
 The whole range moves the tip by a length of the actuator or so, so that such an error moves it by a
 tenth of the accuracy or so.

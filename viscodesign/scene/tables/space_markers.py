@@ -24,7 +24,7 @@ AXES = "xyz"
 TIP = "tip"
 _IN_SPACE = re.compile(r"(?P<marker>.+)_(?P<axis>[xyz])")
 MOST_MISFIT = 0.1
-"""Distance of the clamp's markers from their stated places, in parts of their extent, from which
+"""Distance of the clamp's markers from their stated places, relative to their extent, from which
 the places are those of other markers, or in another unit."""
 
 

@@ -32,7 +32,7 @@ def _local_equations(problem: Problem) -> LocalEquations:
     this_machine()  # code that was made before may have been switched off
     local = problem.equations.local
     if local is None:
-        raise NativeUnavailable("the equations are no sums of local terms")
+        raise NativeUnavailable("the equations are not sums of local terms")
     return local
 
 
