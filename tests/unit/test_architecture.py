@@ -22,6 +22,11 @@ from tests.architecture import (
 
 # Arrows that still point up, to be mended; none may be added.
 ALLOWED_UP: set[Arrow] = set()
+# Names of numbers that still stand in several modules of the pump, to be mended; none may be added.
+ALLOWED_TWICE = {
+    *("BAUD", "END", "FRAME", "FRAME_MS", "GAP", "LEFT", "RIGHT", "ROUNDING", "SERVOS", "SLICE"),
+    *("BOTTOM", "DIGITAL_IN", "DIGITAL_OUT", "TALL", "TRIES", "WIDE"),
+}
 # Plain data with methods that a room above carries out.
 WITH_METHODS_ABOVE = {
     "viscodesign.results.notebook_view",
@@ -112,7 +117,7 @@ def test_a_constant_with_a_number_has_a_name_of_its_own() -> None:
     """In the loops of `native.source`, constants are places in arrays; each array has its own."""
     found: dict[str, list[str]] = {}
     for name, module in constants():
-        if not module.startswith(("viscodesign.pump.", "viscodesign.native.source.")):
+        if not module.startswith("viscodesign.native.source."):
             found.setdefault(name, []).append(module)
     twice = {
         name: {module: getattr(importlib.import_module(module), name) for module in homes}
@@ -123,7 +128,9 @@ def test_a_constant_with_a_number_has_a_name_of_its_own() -> None:
         name: [module for module, value in values.items() if _is_number(value)]
         for name, values in twice.items()
     }
-    assert {name: homes for name, homes in numbers.items() if len(homes) > 1} == {}
+    several = {name: homes for name, homes in numbers.items() if len(homes) > 1}
+    assert set(several) <= ALLOWED_TWICE, several
+    assert all(home.startswith("viscodesign.pump.") for homes in several.values() for home in homes)
 
 
 def _is_number(value: object) -> bool:

@@ -16,7 +16,7 @@ SX = ca.SX
 
 DECIDED_REL_TOL = 1e-11
 """Relative difference of two numbers up to which a decision between them may go either way."""
-ROUNDING = 1e-9
+SAME_NUMBER_REL = 1e-9
 """Relative difference of two values that counts as none where a number may not change."""
 EQUAL_DEPTH = 20
 """Operations up to which two formulas are compared."""
@@ -71,7 +71,7 @@ class Condition:
     def is_tight(self) -> bool:
         """Whether the two are equal."""
         size = abs(self.less.value) + abs(self.more.value)
-        return abs(self.more.value - self.less.value) <= ROUNDING * size
+        return abs(self.more.value - self.less.value) <= SAME_NUMBER_REL * size
 
 
 @dataclass
@@ -117,7 +117,7 @@ class Tape:
         ends = [ca.vertcat(*formulas) for formulas in zip(*self.meetings, strict=True)]
         function = ca.Function("slopes", [symbols], [ca.jacobian(end, symbols) for end in ends])
         one, other = (np.array(slopes) for slopes in function(values))
-        moves = np.abs(other - one) > ROUNDING * (np.abs(one) + np.abs(other))
+        moves = np.abs(other - one) > SAME_NUMBER_REL * (np.abs(one) + np.abs(other))
         return np.flatnonzero(np.any(moves, axis=0)).tolist()
 
     def blocked(self, symbols: SX, values: np.ndarray) -> Iterator[Blocked]:
@@ -129,7 +129,7 @@ class Tape:
         slopes, scale = found(values)
         rows, columns = (np.array(places, dtype=int) for places in slopes.sparsity().get_triplet())
         steps = np.where(values, np.abs(values), 1.0)[columns]
-        moves = np.abs(slopes.nonzeros()) * steps > ROUNDING * scale.full().ravel()[rows]
+        moves = np.abs(slopes.nonzeros()) * steps > SAME_NUMBER_REL * scale.full().ravel()[rows]
         for k in np.flatnonzero(moves):
             yield Blocked(int(columns[k]), float(slopes.nonzeros()[k]), tight[rows[k]])
 

@@ -20,7 +20,7 @@ from viscodesign.scene.several import SameInput
 from viscodesign.scene.several_scene import SeveralScene
 from viscodesign.scene.spec_part import KeyPath, copied
 
-SHIFT = 1.0 + 2.0**-7
+UNEQUAL_FACTOR = 1.0 + 2.0**-7
 """By which numbers are multiplied to see whether anything that was equal still is."""
 
 
@@ -38,7 +38,7 @@ class SeveralKeys(FreeActuatorNumbers[SeveralScene]):
 
     def shifted(self) -> SeveralScene:
         """The spec with every free number at a value that none has, not validated."""
-        shifts = SHIFT * (1.0 + 1e-3 * np.arange(1, len(self.numbers) + 1))
+        shifts = UNEQUAL_FACTOR * (1.0 + 1e-3 * np.arange(1, len(self.numbers) + 1))
         return self.with_values([(v or 1.0) * s for v, s in zip(self.values, shifts, strict=True)])
 
     def _inlets_of(self, actuator: str) -> tuple[str, ...]:

@@ -18,9 +18,9 @@ from viscodesign.lazy_dataclass import dataclass
 
 DIRECTIONS, FEW_DIRECTIONS = 192, 36
 """Points of an edge; where each needs linear programs."""
-ROUNDS = 3
+EDGE_ROUNDS = 3
 """Times that the edge is moved outwards along its normals, and its points spread again."""
-BETWEEN, NEAR = 12, 0.1
+EDGE_SUBDIVISION, NEAR = 12, 0.1
 """Points between two of an edge, and the longest move of one, relative to the edge's size."""
 PAST_STEPS, PAST_TIMES, FIRST_TIME = 600, 14.0, 1e-3
 """Steps of the past, its length in slowest time constants, and its first step in fastest ones."""
@@ -163,7 +163,7 @@ def edge_pressures(
     angle = 2 * math.pi * np.arange(directions) / directions
     across = np.column_stack([np.cos(angle) / sizes[0], np.sin(angle) / sizes[1]])
     found = _spread(rod, np.array([extreme(own @ slopes) for own in across]), directions)
-    for _ in range(ROUNDS):
+    for _ in range(EDGE_ROUNDS):
         found = _spread(rod, _moved_out(extreme, rod, found), directions)
     # Points that were spread lie between extremes, and so within the edge.
     return _moved_out(extreme, rod, found)
@@ -171,7 +171,7 @@ def edge_pressures(
 
 def _spread(rod: ArcRod, pressures: np.ndarray, directions: int) -> np.ndarray:
     """The same edge by points that are equally far apart along it."""
-    share = np.arange(BETWEEN)[:, None, None] / BETWEEN
+    share = np.arange(EDGE_SUBDIVISION)[:, None, None] / EDGE_SUBDIVISION
     dense = (1 - share) * pressures + share * np.roll(pressures, -1, axis=0)
     dense = dense.transpose(1, 0, 2).reshape(-1, pressures.shape[1])
     dense = np.concatenate([dense, dense[:1]])

@@ -27,7 +27,7 @@ from viscodesign.results.tip_path import (
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.disk_arrays import blocks
 
-RIGHT, LEFT = 0, 1
+RIGHT_COLUMN, LEFT_COLUMN = 0, 1
 LEAST_LAG_OUTPUTS = 3
 """Output times of a loop below which two columns have no lag."""
 
@@ -84,7 +84,7 @@ class MetricInputs:
     def lag(self) -> ColumnLag:
         """Lag of the left column behind the right one, in equal parts of the loop."""
         curves = self.loop.even(self.lag_intervals).values(self.columns)
-        return column_lag(curves[:, RIGHT], curves[:, LEFT], self.loop.is_period)
+        return column_lag(curves[:, RIGHT_COLUMN], curves[:, LEFT_COLUMN], self.loop.is_period)
 
     @cached_property
     def lag_intervals(self) -> int:

@@ -8,7 +8,7 @@ from viscodesign.lazy_dataclass import dataclass
 
 LABEL_WIDTH, LABEL_HEIGHT = 0.86, 0.24
 """Space for the label above a frame [inch]."""
-GAP, ROW_GAP = 0.12, 0.22
+STRIP_GAP, ROW_GAP = 0.12, 0.22
 """Smallest distance between frames, and between rows [inch]."""
 LARGEST_LENGTH = 1.9
 """Largest length of the actuator as drawn [inch]."""
@@ -75,7 +75,7 @@ def _fits(rows: list[list[Frame]], scale: float, width: float) -> bool:
 
 
 def _row_width(row: list[Frame], scale: float) -> float:
-    return sum(sum(_sides(frame, scale)) for frame in row) + GAP * (len(row) - 1)
+    return sum(sum(_sides(frame, scale)) for frame in row) + STRIP_GAP * (len(row) - 1)
 
 
 def _sides(frame: Frame, scale: float) -> tuple[float, float]:
@@ -108,6 +108,8 @@ def _placed(rows: list[list[Frame]], scale: float, width: float) -> Strip:
 def _gap(rows: list[list[Frame]], scale: float, width: float) -> float:
     """Distance between frames: the free width of the fullest row, shared out, up to a limit."""
     spare = [
-        GAP + (width - _row_width(row, scale)) / (len(row) - 1) for row in rows if len(row) > 1
+        STRIP_GAP + (width - _row_width(row, scale)) / (len(row) - 1)
+        for row in rows
+        if len(row) > 1
     ]
     return min([*spare, 0.5])

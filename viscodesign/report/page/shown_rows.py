@@ -10,7 +10,7 @@ from viscodesign.storage.disk_arrays import blocks
 
 MOST_SHOWN_ROWS = 1500
 """Number of output times up to which all are shown, where the bytes suffice."""
-MOST_BYTES = 1_050_000
+MOST_PAGE_BYTES = 1_050_000
 """Bytes of arrays, which become a third more in the file."""
 PATH_KEPT = 0.97
 """Share of the path's length that evenly spaced times must keep; with less, motion is lost."""
@@ -34,7 +34,7 @@ class ShownRows:
 def shown_rows(run: Trajectory) -> ShownRows:
     """All output times if they fit; else evenly spaced ones, or the last, if those lose motion."""
     total = len(run.time)
-    most = max(2, min(MOST_SHOWN_ROWS, MOST_BYTES // _row_bytes(run)))
+    most = max(2, min(MOST_SHOWN_ROWS, MOST_PAGE_BYTES // _row_bytes(run)))
     if total <= most:
         return ShownRows(np.arange(total), "", True)
     step = -(-(total - 1) // (most - 1))
