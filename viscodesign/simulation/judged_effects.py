@@ -6,8 +6,9 @@ were too small by up to fifty times.
 The solution with everything that the spec allows comes first, with ten times the tolerance and
 half the edges. It is coarser than the one with the chosen effects, and has more of them: the
 distance of the two is at once what is neglected, and the error of steps and mesh. These may hide
-each other: then the estimates count. Where the distance is too much, or a run has corrected the
-estimates, a third solution, as coarse and with the chosen effects, tells the two apart.
+each other: then the estimates count. Where the distance is too much or far below the estimates,
+or a run has corrected these, a third solution, as coarse and with the chosen effects, tells the
+two apart.
 """
 
 from __future__ import annotations
@@ -40,6 +41,9 @@ class JudgingNumbers:
     stated_per_estimated: float = 2.0
     """The least of it, over what neglected effects do by the estimates: their displacement and the
     error of the coarser mesh may point the same way, and their difference then hides both."""
+    most_apart: float = 5.0
+    """Stated error by the estimates, over that by the measured distance, above which a third
+    solution decides: either both parts hide each other, or the estimates are far too large."""
     coarser_tolerance: float = 10.0
     """Tolerance of the solution with everything, over that of the run."""
     steps_share: float = 0.7

@@ -239,14 +239,18 @@ def _judged(
 
     least_m = JUDGING.stated_per_estimated * selection.estimated_m
 
+    def measured(finer: Run) -> float:
+        return selection.stated(JUDGING.stated_per_measured * judge.omission(finer, whole).tip_m)
+
     def apart(finer: Run) -> float:
-        measured_m = JUDGING.stated_per_measured * judge.omission(finer, whole).tip_m
-        return selection.stated(max(measured_m, least_m))
+        return max(measured(finer), least_m)
 
     verifier.compare_flows(whole, run)
-    verifier.neglected_m = apart(run)
-    is_plain = verifier.neglected_m <= verifier.requested_m and not judge.are_corrected(selection)
-    if is_plain or run.solution.asked_to_stop:
+    measured_m = measured(run)
+    verifier.neglected_m = max(measured_m, least_m)
+    is_enough = verifier.neglected_m <= verifier.requested_m
+    is_doubtful = judge.are_corrected(selection) or least_m > JUDGING.most_apart * measured_m
+    if (is_enough and not is_doubtful) or run.solution.asked_to_stop:
         return apart, None
     try:
         alike = verifier.solve(whole.settings)
@@ -255,7 +259,7 @@ def _judged(
         return None, None
     verifier.interrupted = alike.solution.asked_to_stop
     found = judge.omission(alike if alike.is_complete else run, whole)
-    neglected_m = selection.stated(JUDGING.stated_per_measured * found.tip_m)
+    neglected_m = measured(alike) if alike.is_complete else verifier.neglected_m
     verifier.neglected_m, verifier.measured_neglected = neglected_m, True
     if verifier.interrupted:
         return None, None

@@ -11,7 +11,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign import simulate
-from viscodesign.effects.select import Selection, select_effects
+from viscodesign.effects.select import NUMBERS, Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.trajectory import RunInterruptedError
@@ -306,7 +306,28 @@ def test_errors_that_hide_each_other_are_stated_by_the_estimates(
 ) -> None:
     """What is left out and the coarser mesh may move the tip alike: then they are not far apart."""
     _, selection, _ = judged()
-    monkeypatch.setattr(EffectJudge, "omission", lambda *_: Omission(0.0, 0.0))
+    monkeypatch.setattr(EffectJudge, "omission", lambda *_: Omission(selection.estimated_m, 0.0))
     stated = simulate(leg(*SHORT)).accuracy.estimated_tip_error_m
     assert stated == selection.stated(JUDGING.stated_per_estimated * selection.estimated_m)
     assert selection.estimated_m > 0.0
+
+
+def test_a_distance_far_below_the_estimates_is_judged_by_a_third_solution(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its parts hide each other, or the estimates are far too large."""
+    measured = EffectJudge.omission
+
+    def hidden(judge: EffectJudge, run: Run, everything: Run) -> Omission:
+        is_alike = run.settings == everything.settings
+        return measured(judge, run, everything) if is_alike else Omission(0.0, 0.0)
+
+    monkeypatch.setattr(EffectJudge, "omission", hidden)
+    accuracy = simulate(leg(*SHORT)).accuracy
+    quantities, selection, run = judged()
+    everything = whole(judge_of(quantities, selection), selection, run)
+    alike = solve(quantities, selection.effects, everything.settings)
+    effects_m = JUDGING.stated_per_measured * tip_difference(alike.motion, everything.motion)
+    assert accuracy.estimated_tip_error_m is not None
+    assert accuracy.estimated_tip_error_m > effects_m > NUMBERS.least_stated * accuracy.requested_m
+    assert "between two solutions, with and without" in accuracy.method
