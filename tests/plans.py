@@ -8,30 +8,25 @@ from typing import Any
 import numpy as np
 
 from tests.trajectories import made_run
-from viscodesign.pump.ax.servo_demand import ServoCourse
 from viscodesign.pump.planning.plan import plan as plan_pump
-from viscodesign.pump.planning.result import PumpPlan, PumpVerdict
+from viscodesign.pump.planning.result import PumpCourse, PumpPlan, PumpVerdict
 from viscodesign.pump.profile import Profile
 from viscodesign.scene.scene import Scene
 
 
-def made_course(profile: Profile, lead: float = 0.0) -> ServoCourse:
+def made_course(profile: Profile, lead: float = 0.0) -> PumpCourse:
     """A course through a profile's counts; of its other columns only what is told."""
     shape = profile.steps.shape
-    none = np.zeros(shape)
-    return ServoCourse(
+    return PumpCourse(
         time=profile.time,
         lead_s=lead,
         pressure=profile.pressure,
-        given=none,
-        position=none,
-        volume=0.0725e-6 * (profile.steps - profile.steps[0]),
         steps=profile.steps,
-        flow=none,
-        force=none,
-        torque=none,
-        stall_share=np.full(shape, 0.12),
-        speed_share=np.full(shape, 0.3),
+        columns={
+            "volume_m3": 0.0725e-6 * (profile.steps - profile.steps[0]),
+            "stall_share": np.full(shape, 0.12),
+            "speed_share": np.full(shape, 0.3),
+        },
     )
 
 

@@ -83,11 +83,11 @@ def test_volume_to_hold_a_static_pressure_gas(pressure: float, feeds: int) -> No
     # rho (full - A x + n (V0 + C p) + V_tubes) = full + n V0 + V_tubes
     others, walls = feeds * (COUNT * REST + tubes), feeds * COUNT * COMPLIANCE
     left = (full + others) / ratio - others - walls * pressure
-    assert found.wanted.volume[-1, 0] == pytest.approx(full - left, rel=1e-6)
+    assert found.wanted.columns["volume_m3"][-1, 0] == pytest.approx(full - left, rel=1e-6)
     # Half of the first tube belongs to the inlet.
     behind = others - feeds * tube / 2
     given = ratio * (behind + walls * pressure) - behind
-    assert found.wanted.given[-1, 0] == pytest.approx(given, rel=1e-6)
+    assert found.wanted.columns["given_m3"][-1, 0] == pytest.approx(given, rel=1e-6)
 
 
 @pytest.mark.parametrize("pressure", [12e3, -8e3])
@@ -99,7 +99,7 @@ def test_volume_to_hold_a_static_pressure_liquid(pressure: float) -> None:
     expected = COUNT * COMPLIANCE * pressure + cushion
     drive = ServoDrive(leg(PUMP).pump)  # type: ignore[arg-type]
     own = AREA * drive.filled_at_home * pressure / 2e9
-    assert found.wanted.volume[-1, 0] == pytest.approx(expected + own, rel=1e-4)
+    assert found.wanted.columns["volume_m3"][-1, 0] == pytest.approx(expected + own, rel=1e-4)
 
 
 def test_three_legs_move_as_their_pump_was_planned_for_them() -> None:
@@ -107,11 +107,13 @@ def test_three_legs_move_as_their_pump_was_planned_for_them() -> None:
     found, alone = (
         plan(leg(*small, f"pump.feeds={count}", config="leg_16_pump")) for count in (3, 1)
     )
-    assert found.wanted.given == pytest.approx(3 * alone.wanted.given, rel=1e-6, abs=1e-9)
+    assert found.wanted.columns["given_m3"] == pytest.approx(
+        3 * alone.wanted.columns["given_m3"], rel=1e-6, abs=1e-9
+    )
     # A gas yields in the barrel as it does for one; the rest is what the legs take up.
     density = 1 + found.wanted.pressure / AMBIENT
-    more = found.wanted.volume - alone.wanted.volume
-    assert more == pytest.approx(2 * alone.wanted.given / density, rel=0.02, abs=1e-8)
+    more = found.wanted.columns["volume_m3"] - alone.wanted.columns["volume_m3"]
+    assert more == pytest.approx(2 * alone.wanted.columns["given_m3"] / density, rel=0.02, abs=1e-8)
     # Both plans are within the pump's speed and travel: what it does is what was asked for.
     assert found.clipped == alone.clipped == ()
     assert found.deviation.max() < 0.01 * leg().actuator.length
@@ -120,7 +122,7 @@ def test_three_legs_move_as_their_pump_was_planned_for_them() -> None:
 def test_isothermal_dead_volume() -> None:
     """A larger dead volume costs the plunger exactly its compression."""
     small, large = (
-        static("air", 15e3, f"pump.dead_volume={volume} mL").wanted.volume[-1, 0]
+        static("air", 15e3, f"pump.dead_volume={volume} mL").wanted.columns["volume_m3"][-1, 0]
         for volume in (5, 45)
     )
     assert large - small == pytest.approx(40e-6 * (1 - AMBIENT / (AMBIENT + 15e3)), rel=1e-6)
@@ -187,11 +189,11 @@ def test_the_published_pulse_exceeds_five_limits() -> None:
     assert found.achievable.steps.min() >= 100 - 1e-9
     assert found.achievable.steps.max() <= 1000 + 1e-9
     low = found.limits["stall_nm"]
-    assert np.max(np.abs(found.achievable.torque)) < low
+    assert np.max(np.abs(found.achievable.columns["torque_nm"])) < low
 
 
 def test_the_achievable_motion_respects_the_speed_limit() -> None:
-    assert np.max(published().achievable.speed_share) <= 1.02
+    assert np.max(published().achievable.columns["speed_share"]) <= 1.02
 
 
 def test_the_combined_changes_make_it_feasible() -> None:
@@ -286,7 +288,7 @@ def test_the_live_actuator_starts_in_equilibrium_at_its_plungers(feeds: int) -> 
     scene = leg(several, config="leg_16_pump")
     found = plan(leg("input={kind: constant, value: 10 kPa}", several, config="leg_16_pump"))
     plant = ActuatorPlant(scene)
-    place = found.wanted.position[-1]
+    place = found.wanted.columns["plunger_m"][-1]
     assert plant.advance(0.0, place) == pytest.approx([10e3], rel=1e-3)
     assert plant.advance(0.033, place) == pytest.approx([10e3], rel=1e-3)
 
@@ -313,8 +315,8 @@ def test_three_actuators_are_planned_as_three_that_are_fed_alike(effects: str) -
     del three["input"]
     found, expected = plan(load_pumped(three)), plan(load(one))
     # Both are as accurate as their solutions, whose steps differ.
-    for of in ("given", "position"):
-        this, other = (np.asarray(getattr(each.wanted, of)) for each in (found, expected))
+    for of in ("given_m3", "plunger_m"):
+        this, other = (each.wanted.columns[of] for each in (found, expected))
         assert this == pytest.approx(other, abs=1e-4 * float(np.ptp(other)))
     names, values = plan_columns(found)
     for actuator in legs:

@@ -88,7 +88,7 @@ def test_a_feasible_plan_is_followed_within_a_count(rehearsal: Rehearsal) -> Non
     pressure = found.achievable.pressure - found.wanted.pressure
     run = found.wanted.time >= found.wanted.lead_s
     assert np.max(np.abs(pressure[run])) <= one_count
-    assert found.wanted.position[0, 0] == pytest.approx(0.0, abs=1e-5)
+    assert found.wanted.columns["plunger_m"][0, 0] == pytest.approx(0.0, abs=1e-5)
     profile = found.profile(found.achievable)
     assert profile.steps.shape == (len(profile.time), 1)
     assert profile.time[0] == 0.0

@@ -23,7 +23,7 @@ from viscodesign.report.saved_files import (
 from viscodesign.results.channels import (
     CONTACT_QUANTITIES,
     SHAPE,
-    TIP_QUANTITIES,
+    TIP_COLUMNS,
     TRAJECTORY,
     Per,
     channel,
@@ -111,7 +111,7 @@ def _arrays(table: SavedTable, names: RunNames) -> dict[str, np.ndarray]:
     """The arrays of `trajectory.csv`."""
     return {
         "time": table.columns(["time_s"])[:, 0],
-        "tip": table.columns(channel(name).column() for name in TIP_QUANTITIES),
+        "tip": table.columns(TIP_COLUMNS),
         **{name: table.columns(names.columns(name)) for name in ARRAYS},
     }
 

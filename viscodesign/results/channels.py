@@ -228,6 +228,10 @@ def channel(quantity: str) -> Channel:
     return {row.quantity: row for row in CHANNELS}[quantity]
 
 
+TIP_COLUMNS = tuple(channel(quantity).column() for quantity in TIP_QUANTITIES)
+"""Columns of a tip's x, z and angle."""
+
+
 def channels_of(table: str) -> list[Channel]:
     """The quantities of a file, in order."""
     return [row for row in CHANNELS if table in row.tables]

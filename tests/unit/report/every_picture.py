@@ -15,7 +15,8 @@ from tests.studies import made_study
 from tests.trajectories import CLASSIFICATION, ablated_run, made_run, with_two_inlets
 from tests.unit.report.charts.test_exploration import FLUID, LENGTH, RADIUS, sweep_over
 from viscodesign import compare
-from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
+from viscodesign.pump.ax.servo_demand import AxDemand
+from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.pump.report.fit_chart import draw_fit as draw_poses
 from viscodesign.pump.report.plan_chart import draw_plan
 from viscodesign.report.charts.accuracy import draw_accuracy
@@ -107,13 +108,13 @@ def _plane() -> list[Any]:
     ]
 
 
-def _course(shift: float) -> ServoCourse:
+def _course(shift: float) -> PumpCourse:
     wave = np.sin(np.pi * TIME / 2 + shift)[:, None] * [1.0, -1.0]
-    return ServoCourse(
-        time=TIME, lead_s=0.5, pressure=3e4 * wave, given=wave, position=wave, volume=wave,
-        steps=400 + 200 * wave, flow=1e-6 * wave, force=wave, torque=wave, stall_share=0.3 * np.abs(wave),
-        speed_share=wave,
-    )  # fmt: skip
+    columns = {
+        "pressure_pa": 3e4 * wave, "count": 400 + 200 * wave, "flow_m3_s": 1e-6 * wave,
+        "stall_share": 0.3 * np.abs(wave),
+    }  # fmt: skip
+    return PumpCourse(TIME, 0.5, columns["pressure_pa"], columns["count"], columns)
 
 
 def _plan() -> Any:
@@ -124,7 +125,7 @@ def _plan() -> Any:
         error_m=1e-4, validity="inside", deviation_m=2e-3, numbers={"left": {"no_load_flow_m3_s": 1e-5}},
         panels=AxDemand.panels([SimpleNamespace(
             axis=SimpleNamespace(noun="servo", unit="counts"),
-            drive=SimpleNamespace(load=SimpleNamespace(name="torque")),
+            drive=SimpleNamespace(load=SimpleNamespace(name="torque"), step_name="count"),
             pump=SimpleNamespace(max_pressure=4e4, travel=(100, 700)),
             numbers=lambda: {"no_load_flow_m3_s": 1e-5},
         )]),

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.ax.servo_drive import ServoDrive
-from viscodesign.pump.ax.servo_limits import FIXES, LIMITS, STEPWISE
+from viscodesign.pump.ax.servo_limits import LIMITS
 from viscodesign.pump.ax.servo_pump import axis_limits
-from viscodesign.pump.planning.demand import columns
 from viscodesign.pump.play.axis import AxisLimits
-from viscodesign.pump.plunger.plunger_course import PlungerCourse
 from viscodesign.pump.plunger.plunger_demand import PlungerDemand
 from viscodesign.pump.plunger.plunger_numbers import plunger_numbers
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -23,31 +21,10 @@ from viscodesign.storage.cached_property import cached_property
 
 
 @dataclass(frozen=True)
-class ServoCourse(PlungerCourse):
-    """Motion of P plungers that servos move; arrays (T, P)."""
-
-    columns: ClassVar[dict[str, str]] = {
-        "pressure_pa": "pressure",
-        "given_m3": "given",
-        "volume_m3": "volume",
-        "flow_m3_s": "flow",
-        "plunger_m": "position",
-        "count": "steps",
-        "torque_nm": "torque",
-        "stall_share": "stall_share",
-        "speed_share": "speed_share",
-    }
-
-    torque: np.ndarray  # at the pinion, friction included [N m]
-
-
-@dataclass(frozen=True)
 class AxDemand(PlungerDemand):
     """One inlet's plunger and servo over T times; a step is a count."""
 
     limits = LIMITS
-    fixes = FIXES
-    stepwise = STEPWISE
     stall_marks = (("a fifth: advice", 20.0), *PlungerDemand.stall_marks)
 
     pump: ServoPumpSpec
@@ -93,11 +70,6 @@ class AxDemand(PlungerDemand):
         """Current of the servo, averaged over the whole motion [A]."""
         current = self.drive.current(self.torque)
         return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
-
-    @classmethod
-    def course(cls, demands: Sequence[Any]) -> ServoCourse:
-        torque = columns(demands, lambda d: d.torque)
-        return ServoCourse(**cls._shared_columns(demands), torque=torque)
 
     def numbers(self) -> dict[str, float]:
         n, drive = plunger_numbers(self), self.drive

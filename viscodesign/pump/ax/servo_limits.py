@@ -7,16 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.fix import LOWER, Fix
-from viscodesign.pump.planning.limits import Assessment, Limits
+from viscodesign.pump.planning.limits import LOWER, Assessment, Fix, Limit, Limits
 from viscodesign.pump.planning.result import Severity
-from viscodesign.pump.plunger.plunger_fixes import (
-    THINNER,
-    home_fix,
-    plunger_fixes,
-    plunger_stepwise,
-)
-from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS
+from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS, THINNER
 from viscodesign.scene.pumps.servo_motor import SERVOS, STEADY_SHARE
 
 if TYPE_CHECKING:
@@ -88,27 +81,17 @@ def voltage(demand: AxDemand) -> Assessment:
     return Assessment("infeasible", given, allowed, "V", ratio, 0, message)
 
 
-OWN_NAMES = {"cap_stall": "cap_torque"}
-_PLUNGER = {OWN_NAMES.get(name, name): limit for name, limit in PLUNGER_LIMITS.items()}
-LIMITS: Limits = {
-    "stall": _PLUNGER["stall"],
-    "one_fifth": one_fifth,
-    **_PLUNGER,
-    "speed_register": speed_register,
-    "battery": battery,
-    "voltage": voltage,
-}
-"""In the order in which a plan lists them."""
-
 RATED = min(servo.rated_voltage for servo in SERVOS.values())
 VOLTAGE = Fix("pump.supply_voltage", RATED, "a supply of {:.4g} V", "V")
-HOME = home_fix("count")
-_SYRINGE = plunger_fixes(HOME)
-FIXES = {
-    **_SYRINGE,
-    "stall": (*_SYRINGE["stall"], VOLTAGE),
-    "one_fifth": (LOWER, THINNER, VOLTAGE),
-    "speed": (*_SYRINGE["speed"], VOLTAGE),
-    "speed_register": (THINNER,),
+OWN_NAMES = {"cap_stall": "cap_torque"}
+_PLUNGER = {OWN_NAMES.get(name, name): limit for name, limit in PLUNGER_LIMITS.items()}
+for _name in ("stall", "speed"):
+    _PLUNGER[_name] = Limit(_PLUNGER[_name].assess, (*_PLUNGER[_name].fixes, VOLTAGE))
+LIMITS: Limits = {
+    "stall": _PLUNGER["stall"],
+    "one_fifth": Limit(one_fifth, (LOWER, THINNER, VOLTAGE)),
+    **_PLUNGER,
+    "speed_register": Limit(speed_register, (THINNER,)),
+    "battery": Limit(battery),
+    "voltage": Limit(voltage),
 }
-STEPWISE = plunger_stepwise(HOME)

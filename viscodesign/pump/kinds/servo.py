@@ -8,7 +8,7 @@ from typing import ClassVar
 from viscodesign.errors import UsageError
 from viscodesign.plugins import members
 from viscodesign.pump.ax.hold import NOUN, stop_all
-from viscodesign.pump.ax.servo_demand import AxDemand, ServoCourse
+from viscodesign.pump.ax.servo_demand import AxDemand
 from viscodesign.pump.ax.servo_drive import ServoDrive
 from viscodesign.pump.ax.servo_pump import ServoPump
 from viscodesign.pump.ax.torque_limit import share_of_stall, stalling_pressure, torque_limit
@@ -20,7 +20,7 @@ from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.kinds.servo_calibration import calibrate, calibration_steps
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.play.axis import FinalAxisState
-from viscodesign.pump.plunger.plunger_course import range_rows
+from viscodesign.pump.plunger.plunger_numbers import range_rows
 from viscodesign.pump.poses.upload import PoseUpload
 from viscodesign.pump.simulated.bench import ClosedGas, SimulatedBench
 from viscodesign.pump.simulated.device import Device
@@ -125,7 +125,7 @@ class ServoKind(PumpKind):
 
     def motion_rows(self, plan: PumpPlan, pump: ServoPumpSpec) -> list[tuple[str, str]]:
         course = plan.achievable
-        assert isinstance(course, ServoCourse), "planned for a servo"
+        stall, speed = (course.columns[f"{name}_share"].max() for name in ("stall", "speed"))
         slow, fast = (torque_limit(pump, speed) for speed in (0.0, plan.profile(course).top_speed))
         at_rest, moving = (stalling_pressure(pump, limit) / 1e3 for limit in (slow, fast))
         plunger, (_, pressure) = range_rows(course, pump, course.steps, plan.unit)
@@ -134,11 +134,11 @@ class ServoKind(PumpKind):
             ("pressure", f"{pressure}; stops above {pump.max_pressure / 1e3:g} kPa"),
             (
                 "torque",
-                f"up to {course.stall_share.max():.0%} of stall; limited to "
+                f"up to {stall:.0%} of stall; limited to "
                 f"{share_of_stall(slow):.0%} at rest (holds at most {at_rest:.0f} kPa) and "
                 f"{share_of_stall(fast):.0%} at top speed ({moving:.0f} kPa)",
             ),
-            ("speed", f"up to {course.speed_share.max():.0%} of the speed left at that torque"),
+            ("speed", f"up to {speed:.0%} of the speed left at that torque"),
         ]
 
     def stop(self, link: Connection, ids: Sequence[int], release: bool) -> list[FinalAxisState]:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.feed_line import FeedLine
-from viscodesign.pump.planning.fix import CAP, LOWER, SLOWER, Fix
-from viscodesign.pump.planning.limits import PRESSURE_LIMITS, Limits
+from viscodesign.pump.planning.limits import CAP, LOWER, PRESSURE_LIMITS, Limits, Steps
 from viscodesign.pump.planning.result import Panel, PumpCourse
 from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.results.findings import Notice
@@ -30,17 +29,7 @@ class PumpDemand(ABC):
     """
 
     limits: ClassVar[Limits] = PRESSURE_LIMITS
-    fixes: ClassVar[Mapping[str, Sequence[Fix]]] = {
-        "range": (LOWER,),
-        "cap": (CAP, LOWER),
-        "rate": (SLOWER, LOWER),
-        "lag": (SLOWER, LOWER),
-    }
-    """What may help against a limit, simplest first."""
-    stepwise: ClassVar[Sequence[tuple[Fix, Sequence[str]]]] = (
-        (LOWER, ("range", "rate")),
-        (CAP, ("cap",)),
-    )
+    stepwise: ClassVar[Steps] = ((LOWER, ("range", "rate")), (CAP, ("cap",)))
     """Changes that are tried one upon the other, each against its limits."""
 
     scene: Scene
@@ -132,23 +121,18 @@ class PumpDemand(ABC):
         """The nearest position that the axis can have."""
         return position
 
-    @classmethod
-    def course(cls, demands: Sequence[Any]) -> PumpCourse:
-        """All inlets' demands as one course."""
-        return PumpCourse(**cls._shared_columns(demands))
-
-    @classmethod
-    def _shared_columns(cls, demands: Sequence[Any]) -> dict[str, Any]:
-        first, given = demands[0], columns(demands, lambda d: d.given)
+    def columns(self) -> dict[str, np.ndarray]:
+        """What a table shows of the axis (T,), in order, under names with units."""
         return {
-            "time": first.time,
-            "lead_s": first.lead_s,
-            "pressure": columns(demands, lambda d: d.pressure),
-            "given": given,
-            "position": columns(demands, lambda d: d.position),
-            "steps": columns(demands, lambda d: d.steps),
-            "flow": flow(given, first.time),
+            "pressure_pa": self.pressure,
+            "given_m3": self.given,
+            "flow_m3_s": self.flow(self.given),
+            "steps": self.steps,
         }
+
+    def flow(self, volume: np.ndarray) -> np.ndarray:
+        """A volume's (T,) rate from each time on [m3/s]; 0 from the last."""
+        return np.append(np.diff(volume) / np.diff(self.time), 0.0)
 
     def numbers(self) -> dict[str, float]:
         """What the axis is and what the plan takes of it, under names with units."""
@@ -199,18 +183,19 @@ class PumpDemand(ABC):
         """What a picture of the plan shows against time."""
         cap = (("cap", demands[0].pump.max_pressure / 1e3),)
         return (
-            Panel("pressure\n[kPa gauge]", "pressure", 1e-3, cap, np.inf),
+            Panel("pressure\n[kPa gauge]", "pressure_pa", 1e-3, cap, np.inf),
             Panel("set-point\n[steps]", "steps", 1.0),
-            Panel("flow into the\nnetwork [mL/s]", "flow", 1e6),
+            Panel("flow into the\nnetwork [mL/s]", "flow_m3_s", 1e6),
         )
 
 
-def columns(demands: Sequence[PumpDemand], value: Callable[[Any], np.ndarray]) -> np.ndarray:
-    """A value of all demands, (T, P)."""
-    return np.stack([value(demand) for demand in demands], axis=1)
-
-
-def flow(volume: np.ndarray, time: np.ndarray) -> np.ndarray:
-    """Volumes' (T, P) rates from each time on [m3/s]; 0 from the last."""
-    rate = np.diff(volume, axis=0) / np.diff(time)[:, None]
-    return np.concatenate([rate, np.zeros((1, volume.shape[1]))])
+def course_of(demands: Sequence[PumpDemand]) -> PumpCourse:
+    """What is asked at all inlets, as one course."""
+    first, each = demands[0], [demand.columns() for demand in demands]
+    return PumpCourse(
+        time=first.time,
+        lead_s=first.lead_s,
+        pressure=np.stack([demand.pressure for demand in demands], axis=1),
+        steps=np.stack([demand.steps for demand in demands], axis=1),
+        columns={name: np.stack([own[name] for own in each], axis=1) for name in each[0]},
+    )

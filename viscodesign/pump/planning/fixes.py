@@ -3,39 +3,106 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import field, replace
+from typing import NamedTuple
 
 import numpy as np
 
+from viscodesign.errors import SolveError
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.fix import RAMPS, SLOWER, Fix, Steps
+from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.limits import RAMPS, SLOWER, Fix, Steps, infeasible, verdict
+from viscodesign.pump.planning.motion import RequestedMotion, run_model, shares_a_network
 from viscodesign.pump.planning.result import PumpVerdict, SuggestedChange
-from viscodesign.pump.planning.scene_variants import jumps, scaled_fields
-from viscodesign.pump.planning.trials import Aim, Trials, Variation, remaining
+from viscodesign.pump.planning.scene_variants import jumps, ramped, scaled, scaled_fields
 from viscodesign.scene.inputs.table import TableInput
+from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.reading.field_lookup import quantity_of
 from viscodesign.scene.scene import Scene
+from viscodesign.scene.spec_part import copied
+
+Variation = Mapping[str, float]
+"""What is changed: factors of all pressures (`pressure`) and times (`time`), the duration of every
+jump (`ramp`) [s], and keys of the pump, such as `pump.home`."""
+DIGITS = 3
+"""Of the values that are tried."""
+REACH = 4.0
+"""Factor by which an estimate may be off."""
+
+
+class Aim(NamedTuple):
+    """Limits that are to pass, at one inlet or at all."""
+
+    inlet: str | None
+    names: tuple[str, ...]
+
+    def is_met(self, demands: tuple[PumpDemand, ...]) -> bool:
+        """Whether they do; never where the model could not be run."""
+        own = [d for d in demands if self.inlet in (None, d.inlet)]
+        checks = (verdict(d, name).severity == "ok" for d in own for name in self.names)
+        return bool(own) and all(checks)
 
 
 @dataclass(frozen=True)
-class SearchNumbers:
-    """How long and how finely a value is sought."""
+class Trials:
+    """What was tried of one motion, so that no model runs twice."""
 
-    halvings: int = 40
-    model_halvings: int = 9  # where each takes a run of the model
-    reach: float = 4.0  # factor by which an estimate may be off
-    digits: int = 3
+    requested: RequestedMotion
+    pump: PumpSpec
+    _known: dict[tuple[float, ...], RequestedMotion | None] = field(default_factory=dict)
 
+    def pump_of(self, case: Variation) -> PumpSpec:
+        """The pump of a variation."""
+        own = {key.removeprefix("pump."): case[key] for key in case if key.startswith("pump.")}
+        return copied(self.pump, own)
 
-SEARCH = SearchNumbers()
+    def demands(self, case: Variation) -> tuple[PumpDemand, ...]:
+        """What a variation asks, through the coupled model; empty where that fails."""
+        key = (case.get("pressure", 1.0), case.get("time", 1.0), case.get("ramp", 0.0))
+        if key not in self._known:
+            self._known[key] = self._run(case, *key) if key != (1.0, 1.0, 0.0) else self.requested
+        found = self._known[key]
+        return () if found is None else found.demands(self.pump_of(case))
+
+    def _run(
+        self, case: Variation, pressure: float, time: float, ramp: float
+    ) -> RequestedMotion | None:
+        scene = scaled(self.requested.scene, pressure=pressure, time=time)
+        scene = ramped(scene, ramp) if ramp else scene
+        try:
+            run = run_model(scene, self.requested.active)
+            # A lead-in never hurries; it matters where it tells which inlet gave how much.
+            found = self.requested.without_lead_in(scene, run)
+            return found.with_lead_in(self.pump_of(case)) if shares_a_network(scene) else found
+        except SolveError:
+            return None
+
+    def estimated(self, base: Variation, case: Variation) -> tuple[PumpDemand, ...]:
+        """What a variation of another one asks, without a run: volumes go with the pressure."""
+        baseline, pump = self.requested.scene.gauge_pressure, self.pump_of(case)
+        pressure, time = (case.get(k, 1.0) / base.get(k, 1.0) for k in ("pressure", "time"))
+        return tuple(
+            replace(
+                d,
+                pump=pump,
+                pressure=baseline + pressure * (d.pressure - baseline),
+                given=pressure * d.given,
+                time=time * d.time,
+            )
+            for d in self.demands(base)
+        )
+
+    def left(self, case: Variation) -> tuple[str, ...]:
+        """Names of all limits that forbid a variation."""
+        return tuple(dict.fromkeys(name for d in self.demands(case) for name in infeasible(d)))
 
 
 def fixes_for(trials: Trials, verdict: PumpVerdict) -> tuple[SuggestedChange, ...]:
     """What makes a verdict pass, each change alone; those that leave least undone first."""
-    aim = Aim(verdict.inlet, (verdict.name,))
-    tried = [
-        _applied(fix, trials, aim, {}) for fix in trials.requested.kind.fixes.get(verdict.name, ())
-    ]
+    aim, limit = Aim(verdict.inlet, (verdict.name,)), trials.requested.kind.limits[verdict.name]
+    tried = [_applied(fix, trials, aim, {}) for fix in limit.fixes]
     found = [pair[0] for pair in tried if pair is not None]
     return tuple(sorted(found, key=lambda change: len(change.leaves)))
 
@@ -49,10 +116,9 @@ def combined_fix(trials: Trials, verdicts: tuple[PumpVerdict, ...]) -> tuple[Sug
     options: list[tuple[SuggestedChange, ...]]
     options = [(change,) for v in faults for change in v.changes if not change.leaves]
     if faults and not any(_kept_pressure(option) == 1.0 for option in options):
-        steps = trials.requested.kind.stepwise
-        first, names = steps[0]
+        (first, names), *others = trials.requested.kind.stepwise
         stepwise = [
-            _stepwise(trials, ((first, (*names, *more)), *steps[1:])) for more in ((), ("cap",))
+            _stepwise(trials, ((first, (*names, *more)), *others)) for more in ((), ("cap",))
         ]
         options += [option for option in stepwise if option and not option[-1].leaves]
     return max(options, key=lambda option: (_kept_pressure(option), -len(option)), default=())
@@ -68,7 +134,7 @@ def _stepwise(trials: Trials, steps: Steps) -> tuple[SuggestedChange, ...]:
     case: Variation = {}
     made: dict[str, SuggestedChange] = {}
     for fix, names in steps:
-        if not set(remaining(trials.demands(case))) & set(names):
+        if not set(trials.left(case)) & set(names):
             continue
         if found := _applied(fix, trials, Aim(None, tuple(names)), case):
             change, case = found
@@ -92,9 +158,9 @@ def _applied(
     settings: tuple[str, ...] = (f"{fix.key}={shown:.6g} {fix.unit}".strip(),)
     if not fix.key.startswith("pump."):
         settings = tuple(_input_settings(scene, tried))
-    words, left = fix.words.format(shown), remaining(trials.demands(tried))
     factor = value if fix.key in ("pressure", "time") else 1.0
-    return SuggestedChange(fix.key, words, settings, left, factor), tried
+    words = fix.words.format(shown)
+    return SuggestedChange(fix.key, words, settings, trials.left(tried), factor), tried
 
 
 def _whole(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
@@ -118,41 +184,29 @@ def _value(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
 
     if fix is RAMPS:
         time = trials.requested.run.time
-        value, far = float(min(time[1:] - time[:-1])), float(time[-1])
-    else:
-        own = getattr(trials.pump_of(case), fix.key.removeprefix("pump."), 1.0)
-        guess = _nearest(fits, case.get(fix.key, own), fix.far, SEARCH.halvings)
-        if guess is None:
-            return None
-        value = _rounded(guess, fix.far)
-        far = float(np.clip(fix.far, value / SEARCH.reach, value * SEARCH.reach))
-    found = value if holds(value) else _nearest(holds, value, far, SEARCH.model_halvings)
-    if found is None:
+        return _nearest(holds, float(min(np.diff(time))), float(time[-1]))
+    own = getattr(trials.pump_of(case), fix.key.removeprefix("pump."), 1.0)
+    guess = _nearest(fits, case.get(fix.key, own), fix.far)
+    if guess is None or holds(guess):
+        return guess
+    return _nearest(holds, guess, float(np.clip(fix.far, guess / REACH, guess * REACH)))
+
+
+def _nearest(passes: Callable[[float], bool], near: float, far: float) -> float | None:
+    """The value of few digits nearest to ``near`` that passes; None where ``far`` does not.
+
+    Both are above 0; what passes is taken to pass all the way from there to ``far``.
+    """
+    low, high = sorted((near, far))
+    decades = range(math.floor(math.log10(low)), math.floor(math.log10(high)) + 1)
+    digits = range(10 ** (DIGITS - 1), 10**DIGITS)
+    values = [float(f"{n}e{decade - DIGITS + 1}") for decade in decades for n in digits]
+    values = [value for value in values if low <= value <= high]
+    if far < near:
+        values.reverse()
+    if not values or not passes(values[-1]):
         return None
-    value = _rounded(found, far)
-    return value if holds(value) else None
-
-
-def _nearest(
-    passes: Callable[[float], bool], near: float, far: float, halvings: int
-) -> float | None:
-    """The value nearest to ``near`` that passes, between the two; None where ``far`` does not."""
-    if not passes(far):
-        return None
-    low, high = math.log(near), math.log(far)
-    for _ in range(halvings):
-        middle = (low + high) / 2
-        low, high = (low, middle) if passes(math.exp(middle)) else (middle, high)
-    return math.exp(high)
-
-
-def _rounded(value: float, far: float) -> float:
-    """Few digits, rounded towards ``far``; what has no more already stays."""
-    unit = 10.0 ** (math.floor(math.log10(value)) - SEARCH.digits + 1)
-    steps = value / unit
-    whole = round(steps)
-    turned = math.floor(steps) if far < value else math.ceil(steps)
-    return float(f"{(whole if abs(steps - whole) < 1e-6 else turned) * unit:.12g}")
+    return values[bisect_left(values, True, key=passes)]
 
 
 def _input_settings(scene: Scene, case: Variation) -> Iterator[str]:

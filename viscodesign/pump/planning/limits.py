@@ -1,8 +1,9 @@
-"""What a pump can do against what is required of it: one function per limit."""
+"""What a pump can do against what is required of it: one function per limit, and what may help."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -42,8 +43,40 @@ class Assessment(NamedTuple):
     message: str
 
 
-Limits = Mapping[str, Callable[[Any], Assessment]]
-"""Limits by name, each a function of a demand."""
+@dataclass(frozen=True)
+class Fix:
+    """A number of a scene or its pump that is changed, and as far as to where."""
+
+    key: str  # of a `Variation`
+    far: float
+    words: str
+    unit: str = ""  # in which a spec states it
+    si: float = 1.0  # of that unit
+    whole: Callable[[Any], range] | None = None
+    """Values of a key that counts, of a pump's section; each is tried, the nearest first."""
+    cures: tuple[str, ...] = ()
+    """Limits that have to pass together where it counts."""
+
+
+LOWER = Fix("pressure", 0.005, "every pressure of the input times {:.3g}")
+HIGHER = replace(LOWER, far=100.0)
+SLOWER = Fix("time", 1000.0, "everything slower by a factor of {:.3g}")
+RAMPS = Fix("ramp", 1000.0, "every jump of the pressure as a ramp of {:.3g} s")
+CAP = Fix("pump.max_pressure", 1e7, "a cap of {:.4g} kPa gauge", "kPa gauge", 1e3)
+Steps = Sequence[tuple[Fix, Sequence[str]]]
+"""Changes one upon the other, each with the limits that it is to satisfy."""
+
+
+class Limit(NamedTuple):
+    """One limit of a demand."""
+
+    assess: Callable[[Any], Assessment]
+    fixes: tuple[Fix, ...] = ()
+    """What may help against it, simplest first."""
+
+
+Limits = Mapping[str, Limit]
+"""Limits by name, in the order in which a plan lists them."""
 
 
 def within(values: np.ndarray, low: float, high: float, unit: str, message: str) -> Assessment:
@@ -122,18 +155,18 @@ def pressure_resolution(demand: PumpDemand) -> Assessment:
 
 
 PRESSURE_LIMITS: Limits = {
-    "range": pressure_range,
-    "cap": cap,
-    "rate": pressure_rate,
-    "lag": pressure_lag,
-    "resolution": pressure_resolution,
+    "range": Limit(pressure_range, (LOWER,)),
+    "cap": Limit(cap, (CAP, LOWER)),
+    "rate": Limit(pressure_rate, (SLOWER, LOWER)),
+    "lag": Limit(pressure_lag, (SLOWER, LOWER)),
+    "resolution": Limit(pressure_resolution),
 }
 """Limits of an axis that sets the pressure itself."""
 
 
 def verdict(demand: PumpDemand, name: str) -> PumpVerdict:
     """One limit held against a demand."""
-    severity, wanted, allowed, unit, ratio, when, message = demand.limits[name](demand)
+    severity, wanted, allowed, unit, ratio, when, message = demand.limits[name].assess(demand)
     return PumpVerdict(
         name, demand.inlet, severity if ratio > 1.0 else "ok", wanted, allowed, unit,
         float(ratio), float(demand.time[when]), message,

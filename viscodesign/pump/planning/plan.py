@@ -9,10 +9,10 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.pump.planning.achievable import SWEEPS, AchievableMotion, achievable_motion
-from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.demand import PumpDemand, course_of
 from viscodesign.pump.planning.demand_kinds import demand_kind, pump_of
 from viscodesign.pump.planning.feed_line import feed_line_at
-from viscodesign.pump.planning.fixes import combined_fix, fixes_for
+from viscodesign.pump.planning.fixes import Trials, combined_fix, fixes_for
 from viscodesign.pump.planning.limits import verdicts
 from viscodesign.pump.planning.motion import (
     RequestedMotion,
@@ -23,7 +23,6 @@ from viscodesign.pump.planning.motion import (
 )
 from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.pump.planning.scene_variants import planned, with_effects_of
-from viscodesign.pump.planning.trials import Trials
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.pressure_levels import levels_of, stated_reference
@@ -66,8 +65,8 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         noun=demands[0].axis.noun,
         device=demands[0].device,
         unit=demands[0].axis.unit,
-        wanted=requested.kind.course(demands),
-        achievable=requested.kind.course(achieved.demands),
+        wanted=course_of(demands),
+        achievable=course_of(achieved.demands),
         wanted_run=run,
         achievable_run=achieved.run,
         actuators=tuple(scene.members),
@@ -91,11 +90,8 @@ def requested_motion(
 ) -> tuple[Trajectory, RequestedMotion]:
     """The run of the pressures that a scene asks for, and what it asks of the pumps."""
     run = run_verified(planned(scene), progress)
-    settled, active, inlets = (
-        with_effects_of(planned(scene), run),
-        active_effects(run),
-        inlets_of(scene, run),
-    )
+    settled, active = with_effects_of(planned(scene), run), active_effects(run)
+    inlets = inlets_of(scene, run)
     lines = {name: feed_line_at(settled, name, active) for name in scene.inputs}
     kind = demand_kind(pump_of(scene))
     requested = RequestedMotion(kind, settled, active, lines, inlets, inlets.until(0))

@@ -6,7 +6,7 @@ Times of the courses begin with the lead-in, those of the runs behind it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import ClassVar, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -50,28 +50,21 @@ class PumpVerdict:
 class PumpCourse:
     """Motion of P axes at T times from the start of the lead-in; arrays (T, P)."""
 
-    columns: ClassVar[dict[str, str]] = {
-        "pressure_pa": "pressure",
-        "given_m3": "given",
-        "flow_m3_s": "flow",
-        "steps": "steps",
-    }
-    """Last words of a table's columns: the field that each shows."""
-
     time: np.ndarray  # (T,) [s]
     lead_s: float  # part before the scene's own t = 0: from home to what the start needs [s]
     pressure: np.ndarray  # gauge [Pa]
-    given: np.ndarray  # to the network since it was filled [m3 at ambient density]
-    position: np.ndarray  # of the axis, in SI: gauge [Pa], or of a plunger [m]
     steps: np.ndarray  # targets of the axis, not rounded
-    flow: np.ndarray  # into the network, from each time on [m3/s]
+    columns: Mapping[str, np.ndarray]
+    """All that a table shows, by the last words of its columns, as in `PumpDemand.columns`: of any
+    axis ``given_m3``, to the network since it was filled [m3 at ambient density]; of a plunger
+    ``plunger_m`` and ``volume_m3``, pushed in from home, and its shares of stall and speed."""
 
 
 class Panel(NamedTuple):
     """One quantity of a course against time, as a picture shows it."""
 
     label: str
-    field: str
+    column: str
     factor: float
     marks: tuple[tuple[str, float], ...] = ()  # levels with their names
     shows: float = 1.0  # share of a mark that brings it into the picture where a curve comes to it

@@ -10,13 +10,11 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.drive import PlungerDrive
-from viscodesign.pump.planning.demand import PumpDemand, columns, flow
+from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.pump.planning.limits import MARGINS
 from viscodesign.pump.planning.result import Panel
 from viscodesign.pump.plunger.barrel import Barrel
-from viscodesign.pump.plunger.plunger_course import PlungerCourse
-from viscodesign.pump.plunger.plunger_fixes import home_fix, plunger_fixes, plunger_stepwise
-from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS
+from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS, PLUNGER_STEPWISE
 from viscodesign.pump.plunger.plunger_numbers import (
     gas_notices,
     plunger_faults,
@@ -32,7 +30,6 @@ REST_STEPS_PER_S = 0.05
 """Speed below which a plunger counts as at rest: round-off and drift."""
 DIRECTION_SAMPLES = 5
 """Samples on both sides over which the direction of motion is found: more than a step."""
-HOME = home_fix("step")
 
 
 @dataclass(frozen=True)
@@ -40,12 +37,11 @@ class PlungerDemand(PumpDemand):
     """One inlet's plunger over T times; arrays (T,) or, between the times, (T - 1,).
 
     A kind adds its `axis`, its `device` and `drive_of`; where its drive is limited by more than
-    stall and speed, it extends `limits` and `fixes`, and what is written of it.
+    stall and speed, it extends `limits`, and what is written of it.
     """
 
     limits = PLUNGER_LIMITS
-    fixes = plunger_fixes(HOME)
-    stepwise = plunger_stepwise(HOME)
+    stepwise = PLUNGER_STEPWISE
     stall_marks: ClassVar[tuple[tuple[str, float], ...]] = (("stall", 100.0),)
     """Levels in the picture of the load [% of stall], with their names."""
 
@@ -167,21 +163,18 @@ class PlungerDemand(PumpDemand):
     def possible(self, position: float) -> float:
         return float(self.barrel.within(np.asarray(position)))
 
-    @classmethod
-    def course(cls, demands: Sequence[Any]) -> PlungerCourse:
-        return PlungerCourse(**cls._shared_columns(demands))
-
-    @classmethod
-    def _shared_columns(cls, demands: Sequence[Any]) -> dict[str, Any]:
-        shared = super()._shared_columns(demands)
-        volume = columns(demands, lambda d: d.drive.area * d.position)
+    def columns(self) -> dict[str, np.ndarray]:
+        drive, volume = self.drive, self.drive.area * self.position
         return {
-            **shared,
-            "flow": flow(volume, shared["time"]),
-            "volume": volume,
-            "force": columns(demands, lambda d: d.force),
-            "stall_share": columns(demands, lambda d: np.abs(d.load) / d.drive.stall_load),
-            "speed_share": columns(demands, lambda d: np.append(d.speed_share, 0.0)),
+            "pressure_pa": self.pressure,
+            "given_m3": self.given,
+            "volume_m3": volume,  # swept from home
+            "flow_m3_s": self.flow(volume),
+            "plunger_m": self.position,
+            drive.step_name: self.steps,
+            f"{drive.load.name}_{drive.load.suffix}": self.load,
+            "stall_share": np.abs(self.load) / drive.stall_load,
+            "speed_share": np.append(self.speed_share, 0.0),
         }
 
     def numbers(self) -> dict[str, float]:
@@ -226,6 +219,7 @@ class PlungerDemand(PumpDemand):
             pressure,
             steps._replace(
                 label=f"{axis.noun}\n[{axis.unit}]",
+                column=demands[0].drive.step_name,
                 marks=ends,
                 shows=np.inf,
                 limits=(low - margin, high + margin),

@@ -1,12 +1,27 @@
-"""What a plunger can do against what is required of it: one function per limit, and their table."""
+"""What a plunger can do against what is required of it, limit by limit, and what may help."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from viscodesign.pump.planning.limits import MARGINS, Assessment, Limits, cap, jump_words, within
+from viscodesign.pump.planning.limits import (
+    CAP,
+    HIGHER,
+    LOWER,
+    MARGINS,
+    PRESSURE_LIMITS,
+    SLOWER,
+    Assessment,
+    Fix,
+    Limit,
+    Limits,
+    Steps,
+    jump_words,
+    within,
+)
 
 if TYPE_CHECKING:
     from viscodesign.pump.plunger.plunger_demand import PlungerDemand
@@ -147,9 +162,31 @@ def sensor(demand: PlungerDemand) -> Assessment:
     )
 
 
+THINNER = Fix("pump.syringe_diameter", 5e-3, "a syringe of {:.4g} mm inner diameter", "mm", 1e-3)
+WIDER = replace(THINNER, far=0.1)
+CURED_BY_HOME = ("travel", "barrel")
+HOME = Fix(
+    "pump.home",
+    0.0,
+    "home at {:.0f}",
+    whole=lambda pump: range(pump.travel[0], pump.travel[1] + 1),
+    cures=CURED_BY_HOME,
+)
 PLUNGER_LIMITS: Limits = {
-    limit.__name__: limit
-    for limit in (
-        stall, speed, travel, barrel, suction, cap, cap_stall, resolution, pressure_step, sensor,
-    )
-}  # fmt: skip
+    "stall": Limit(stall, (LOWER, THINNER)),
+    "speed": Limit(speed, (SLOWER, LOWER)),
+    "travel": Limit(travel, (HOME, LOWER, WIDER)),
+    "barrel": Limit(barrel, (HOME, LOWER, WIDER)),
+    "suction": Limit(suction, (LOWER,)),
+    "cap": PRESSURE_LIMITS["cap"],
+    "cap_stall": Limit(cap_stall),
+    "resolution": Limit(resolution, (THINNER, HIGHER)),
+    "pressure_step": Limit(pressure_step, (THINNER,)),
+    "sensor": Limit(sensor),
+}
+PLUNGER_STEPWISE: Steps = (
+    (LOWER, ("stall", "speed", "suction")),  # what another drive cures only at a price
+    (HOME, CURED_BY_HOME),
+    (LOWER, CURED_BY_HOME),
+    (CAP, ("cap",)),
+)

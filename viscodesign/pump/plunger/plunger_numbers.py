@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import PlungerDrive
 from viscodesign.pump.planning.feed_line import fed_by_each
+from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.results.findings import Notice
 from viscodesign.scene.scene import Scene
 
@@ -135,3 +136,19 @@ def gas_notices(demands: Sequence[PlungerDemand]) -> Iterator[Notice]:
         f"{1e6 * rest * swing / scene.ambient_pressure:.3g} mL that the plunger would have to move "
         "for its compression are left out",
     )
+
+
+def range_rows(
+    course: PumpCourse, pump: Any, steps: np.ndarray, unit: str
+) -> list[tuple[str, str]]:
+    """Range of the plungers, in ``steps`` of a ``unit``, and of the pressures, for people."""
+    volume, pressure = 1e6 * course.columns["volume_m3"], course.pressure / 1e3
+    low, high = pump.travel
+    return [
+        (
+            "plunger",
+            f"{steps.min():.0f} to {steps.max():.0f} {unit} (travel {low} to {high}), "
+            f"{volume.min():.3g} to {volume.max():.3g} mL from home",
+        ),
+        ("pressure", f"{pressure.min():.2f} to {pressure.max():.2f} kPa gauge"),
+    ]

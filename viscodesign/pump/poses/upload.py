@@ -19,7 +19,7 @@ from viscodesign.pump.consent import Tell
 from viscodesign.pump.planning.result import PumpPlan, refuse_infeasible
 from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream_result import StreamResult
-from viscodesign.pump.plunger.plunger_course import PlungerCourse, range_rows
+from viscodesign.pump.plunger.plunger_numbers import range_rows
 from viscodesign.pump.poses.c_header import poses_h
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import fit_poses
@@ -49,9 +49,7 @@ class PoseUpload:
         self.plan, self.settings, self.playback = plan, settings, playback
         self.tolerance = Tolerance.of(tolerance)
         refuse_infeasible(plan, achievable)
-        course = plan.wanted if plan.is_feasible else plan.achievable
-        assert isinstance(course, PlungerCourse), "poses are a servo's"
-        self.course = course
+        self.course = plan.wanted if plan.is_feasible else plan.achievable
         profile = by_servo(plan.profile(self.course))
         # The lead goes from home to the start.
         self.lead, main = split_at(profile, self.course.lead_s)
@@ -74,6 +72,7 @@ class PoseUpload:
     def rows(self) -> list[tuple[str, str]]:
         """What is about to be played, each number with its unit."""
         fit, limit = self.fit, torque_limit(self.settings)
+        stall = self.course.columns["stall_share"].max()
         held = stalling_pressure(self.settings, limit) / 1e3
         counts = np.array([goal[:-1] for goal in fit.sequence.goals()])
         drift = "; the board's clock may lose up to 1 ms at each move"
@@ -83,7 +82,7 @@ class PoseUpload:
             *range_rows(self.course, self.settings, counts, self.plan.unit),
             (
                 "torque",
-                f"up to {self.course.stall_share.max():.0%} of stall; limited to "
+                f"up to {stall:.0%} of stall; limited to "
                 f"{share_of_stall(limit):.0%}, which holds at most {held:.0f} kPa",
             ),
             (

@@ -75,8 +75,8 @@ def _draw_panel(axes: Axes, plan: PumpPlan, panel: Panel) -> None:
     begin = -min(plan.wanted.lead_s, LEAD_SHOWN * end)
     drawn = []
     for course, style in ((plan.wanted, WANTED), (plan.achievable, DONE)):
-        time, values = course.time - course.lead_s, getattr(course, panel.field) * panel.factor
-        steps = "steps-post" if panel.field == "flow" else "default"
+        time, values = course.time - course.lead_s, course.columns[panel.column] * panel.factor
+        steps = "steps-post" if panel.column == "flow_m3_s" else "default"
         for k, column in enumerate(values.T):
             axes.plot(time, column, drawstyle=steps, **_line(k), **style)
         drawn.append(values[time >= begin])

@@ -12,6 +12,7 @@ from viscodesign.pump.planning.result import PumpPlan
 from viscodesign.report.csv_text import csv_table
 from viscodesign.report.folder import PLAN_FILES
 from viscodesign.report.picture_options import AS_USUAL, PictureOptions
+from viscodesign.results.channels import TIP_COLUMNS
 from viscodesign.results.findings import documents, json_ready
 from viscodesign.results.provenance import provenance
 
@@ -46,15 +47,15 @@ def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
     time = plan.wanted.time
     found = {"time_s": time, "run_time_s": time - plan.wanted.lead_s}
     for kind, course in (("wanted", plan.wanted), ("achievable", plan.achievable)):
-        for word, attribute in course.columns.items():
-            for inlet, column in zip(plan.inlets, getattr(course, attribute).T, strict=True):
+        for word, values in course.columns.items():
+            for inlet, column in zip(plan.inlets, values.T, strict=True):
                 own = "" if len(plan.inlets) == 1 else f"{inlet}_"
                 found[f"{kind}_{own}{word}"] = column
     before = np.full(len(time) - len(plan.wanted_run.time), np.nan)
     for kind, run in (("wanted", plan.wanted_run), ("achievable", plan.achievable_run)):
         for actuator, tip in plan.tips(run).items():
             own = f"{actuator}_" if actuator else ""
-            for word, column in zip(("tip_x_m", "tip_z_m", "tip_angle_rad"), tip.T, strict=True):
+            for word, column in zip(TIP_COLUMNS, tip.T, strict=True):
                 found[f"{kind}_{own}{word}"] = np.concatenate([before, column])
     return list(found), np.column_stack(list(found.values()))
 

@@ -26,11 +26,11 @@ from viscodesign.pump.sessions.board_names import board_kind, boards_of, kind_be
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected, refuse_port
 from viscodesign.pump.sessions.record_file import Record, recorded
 from viscodesign.pump.sessions.reports import PlaybackReport
+from viscodesign.results.channels import TIP_COLUMNS
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 from viscodesign.storage.atomic_files import write_errors_as_usage
 
-TIP_POSE = ("tip_x_m", "tip_z_m", "tip_angle_rad")
 """Columns of the simulated actuator's tip, under the simulator's names."""
 OnTick = Callable[[TickReport], None]
 
@@ -123,7 +123,7 @@ class StreamSession:
             folder.mkdir(parents=True, exist_ok=True)
         address = replace(self.address, log=self.address.log or folder / "log.jsonl")
         plant = ActuatorPlant(self.scene) if address.simulated else None
-        tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_POSE)}
+        tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_COLUMNS)}
         with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
             pump = link.connected_pump(gauges, switches=True)
             unit, limits = pump.limits.unit, pump.limits
