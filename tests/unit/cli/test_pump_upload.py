@@ -19,7 +19,7 @@ from tests.rig.pty import PtyServer
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.bus.clock import WallClock
-from viscodesign.pump.poses.packets import loop, play
+from viscodesign.pump.poses.engine import LOOP, PLAY
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
@@ -74,15 +74,15 @@ def test_a_dry_run_shows_plan_and_packets_and_opens_nothing(upload: Upload, how:
     assert (outcome.status, outcome.err) == (0, "")
     for words in ("[dry run] no port is opened", "off by at most", "counts", "mL", "kPa gauge"):
         assert words in outcome.out
-    start = str(loop() if how == "--loop" else play())
+    start = str(LOOP if how == "--loop" else PLAY)
     assert packets(outcome).count(start) == 1
     assert ("48 48 48" in outcome.out) == (how == "--loop")
 
 
 def test_a_dry_run_without_motion_starts_nothing(upload: Upload) -> None:
     sent = packets(upload("--dry-run"))
-    assert str(play()) not in sent
-    assert str(loop()) not in sent
+    assert str(PLAY) not in sent
+    assert str(LOOP) not in sent
 
 
 def test_the_header_is_written_once(upload: Upload, tmp_path: Path) -> None:

@@ -8,64 +8,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from pathlib import Path
+from string import Template
 
 from viscodesign.pump.poses.engine import FRAME_MS, PoseSequence, time_asking
 
+TEMPLATE = Path(__file__).with_name("poses.h.template")
 LEAD_FRAMES = 600
 """Frames of the way to the first pose: at most 20 s, and 52 counts/s."""
 
-_HEADER = """\
-/* {title}
- *
- * Made by viscodesign; changes are lost when it is made again.
-{facts}
- *
- * Servo {phantom} must not exist: its moves time waits and slow moves. Nothing monitors the
- * pressure while this plays; only the torque limit caps it.
- *
- * A sketch that plays it from power-on (with the Bioloid library of the ArbotiX):
- *
- *   #include <ax12.h>
- *   #include <BioloidController.h>
- *   #include "poses.h"
- *   BioloidController bioloid = BioloidController(1000000);
- *   void setup() {{
- *     for (int id = 1; id <= {servos}; id++) ax12SetRegister2(id, 34, TORQUE_LIMIT);
- *     for (int id = 1; id <= {servos}; id++) ax12SetRegister2(id, 32, MOVING_SPEED);
- *     // A servo that cannot be read would jump: wait for each.
- *     for (int id = 1; id <= {servos}; id++) while (ax12GetRegister(id, 36, 2) < 0) delay(100);
- *     bioloid.poseSize = {phantom};
- *     bioloid.readPose();                        // begin where the plunger is
- *     bioloid.loadPose(pose_0);
- *     bioloid.interpolateSetup(LEAD_IN_MS);      // slowly to the start
- *     while (bioloid.interpolating > 0) bioloid.interpolateStep();
- *     bioloid.playSeq(profile);
- *   }}
- *   void loop() {{
- *     bioloid.play();
- *     {again}
- *   }}
- */
-#ifndef POSES_H
-#define POSES_H
-
-#include <avr/pgmspace.h>
-#include <stdint.h>
-
-#define TORQUE_LIMIT {torque_limit}
-#define MOVING_SPEED {moving_speed}
-#define LEAD_IN_MS {lead_in_ms}
-
-{poses}
-
-/* times in ms, each one less than its frames of {frame_ms} ms */
-const PROGMEM transition_t profile[] = {{
-  {{0, {count}}},
-{moves}
-}};
-
-#endif
-"""
 _ONCE = "// once"
 _AGAIN = "if (bioloid.playing == 0) bioloid.playSeq(profile);"
 
@@ -91,7 +42,8 @@ def poses_h(
     ]
     # The library's type of a pose is not constant.
     moves = [f"  {{(unsigned int *) pose_{move.pose}, {move.ms}}}" for move in sequence.moves]
-    return _HEADER.format(
+    template = Template(TEMPLATE.read_text(encoding="utf-8"))
+    return template.substitute(
         title=_plain(title),
         facts="\n".join(f" * {name}: {_plain(words)}" for name, words in facts.items()),
         phantom=phantom,

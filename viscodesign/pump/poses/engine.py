@@ -1,4 +1,5 @@
-"""The pose engine of PyPose: how long its moves last, and where its servos are in each frame.
+"""The pose engine of PyPose: how long its moves last, where its servos are in each frame, and
+what it is sent.
 
 Positions are whole eighths of a count. A move over the distance D that is asked to take F
 frames goes D // F + 1 eighths a frame, so it is over after D // (D // F + 1) + 1 frames, or
@@ -7,17 +8,21 @@ goals. Slow moves therefore end early, and a wait lasts one frame, unless a serv
 there (the phantom) has a long way to go in each move.
 
 Source: vanadiumlabs/arbotix, libraries/Bioloid/BioloidController.cpp, interpolateSetup and
-interpolateStep. Its integers have 16 bits on the ATmega644P; no move that is sent overflows them.
+interpolateStep, whose integers have 16 bits on the ATmega644P; no move that is sent overflows
+them. Packets, to the board's own id: vanadiumlabs/arbotix, pypose/pypose.ino.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import IntEnum
 
 import numpy as np
 
 from viscodesign.errors import PumpError
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.pump.ax.protocol.packets import Packet
+from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 
 FRAME_MS = 33
 FRAME = FRAME_MS / 1000
@@ -96,3 +101,54 @@ def play(sequence: PoseSequence, start: Sequence[int]) -> np.ndarray:
         rows.append(EIGHTHS * here + np.sign(way) * gone)
         here = np.array(goal)
     return np.concatenate(rows)
+
+
+class PoseInstruction(IntEnum):
+    """What the firmware obeys; 25, which swings servo 1 and switches all pins, is left out."""
+
+    SIZE_POSE = 7
+    LOAD_POSE = 8
+    LOAD_SEQUENCE = 9
+    PLAY = 10
+    LOOP = 11
+
+
+PLAY = Packet(ARBOTIX, PoseInstruction.PLAY)
+"""Go through the moves once."""
+LOOP = Packet(ARBOTIX, PoseInstruction.LOOP)
+"""Go through the moves until it is halted."""
+END = Move(255, 0)
+"""Stands behind the last move."""
+
+
+def size_pose(servos: int) -> Packet:
+    """Take poses of so many servos, ids from 1 on, and read where they are."""
+    return Packet(ARBOTIX, PoseInstruction.SIZE_POSE, bytes([servos]))
+
+
+def load_pose(index: int, counts: Sequence[int]) -> Packet:
+    """Keep a pose; behind the last one lies other memory."""
+    if not 0 <= index < MOST_POSES:
+        raise PumpError(f"pose {index}; the board keeps poses 0 to {MOST_POSES - 1}")
+    words = b"".join(count.to_bytes(2, "little") for count in counts)
+    return Packet(ARBOTIX, PoseInstruction.LOAD_POSE, bytes([index]) + words)
+
+
+def load_sequence(moves: Sequence[Move]) -> Packet:
+    """Keep the moves; more than its buffer takes would hang the board."""
+    if not 1 <= len(moves) <= MOST_MOVES:
+        raise PumpError(f"{len(moves)} moves; the board takes 1 to {MOST_MOVES}")
+    for move in moves:
+        if not 0 <= move.ms <= LONGEST_MS:
+            raise PumpError(f"a move of {move.ms} ms; the board takes 0 to {LONGEST_MS}")
+    entries = [bytes([move.pose]) + move.ms.to_bytes(2, "little") for move in (*moves, END)]
+    return Packet(ARBOTIX, PoseInstruction.LOAD_SEQUENCE, b"".join(entries))
+
+
+def loading(sequence: PoseSequence) -> list[Packet]:
+    """All that brings a sequence onto the board, in order."""
+    return [
+        size_pose(len(sequence.poses[0])),
+        *(load_pose(index, counts) for index, counts in enumerate(sequence.poses)),
+        load_sequence(sequence.moves),
+    ]

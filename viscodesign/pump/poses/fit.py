@@ -26,8 +26,7 @@ from viscodesign.pump.poses.engine import (
     play,
     time_asking,
 )
-from viscodesign.pump.poses.search import FIRST_FRAMES, MoveSearch, Vertex
-from viscodesign.pump.poses.tolerance_band import ToleranceBand
+from viscodesign.pump.poses.search import FIRST_FRAMES, MoveSearch, ToleranceBand
 from viscodesign.pump.profile import Profile
 
 
@@ -113,20 +112,22 @@ def fit_poses(
     frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
     pace = profile.duration / (frames * FRAME) if loop else 1.0
     bounds = [_bounds(profile.time, c, FRAME * pace, frames) for c in profile.steps.T]
-    paths: dict[int, list[Vertex] | None] = {}
+    found: dict[int, PoseSequence] = {}
 
-    def has_path(number: int) -> bool:
+    def has_sequence(number: int) -> bool:
         margin = FIT.finest * FIT.ratio**number
         bands = [ToleranceBand.around(*b, margin, travel, closed=loop) for b in bounds]
-        path = MoveSearch(bands, closed=loop).vertices(MOST_MOVES - 1)
-        paths[number] = path if path and len(_poses(path)) <= MOST_POSES else None
-        progress(min(len(paths) / FIT.margins.bit_length(), 1.0))
-        return paths[number] is not None
+        if path := MoveSearch(bands, closed=loop).path(MOST_MOVES - 1):
+            found[number] = _sequence(*path)
+        tried.append(number)
+        progress(min(len(tried) / FIT.margins.bit_length(), 1.0))
+        return path is not None and len(found[number].poses) <= MOST_POSES
 
-    path = paths.get(bisect_left(range(FIT.margins), True, key=has_path))
-    if path is None:
+    tried: list[int] = []
+    narrowest = bisect_left(range(FIT.margins), True, key=has_sequence)
+    if narrowest == FIT.margins:
         raise PumpError("no poses keep within the servo's travel; check home and travel")
-    return _measured(profile, _sequence(path), loop)
+    return _measured(profile, found[narrowest], loop)
 
 
 def _bounds(
@@ -149,24 +150,17 @@ def _bounds(
     return chord + down, chord + up
 
 
-def _poses(path: Sequence[Vertex]) -> list[tuple[int, ...]]:
-    """Goals and the phantom's count at each corner; the phantom goes up and down in turn."""
-    return list(dict.fromkeys(_pose(vertex, k) for k, vertex in enumerate(path)))
+def _sequence(frames: Sequence[int], goals: Sequence[Sequence[int]]) -> PoseSequence:
+    """Poses and moves along corners; the phantom goes up and down in turn.
 
-
-def _pose(vertex: Vertex, number: int) -> tuple[int, ...]:
-    return (*vertex.goals, PHANTOM * (number % 2))
-
-
-def _sequence(path: Sequence[Vertex]) -> PoseSequence:
-    """Poses and moves along corners; the first entry brings the phantom to its zero."""
-    poses = _poses(path)
-    frames = [FIRST_FRAMES, *np.diff([vertex.frame for vertex in path]).tolist()]
-    moves = [
-        Move(poses.index(_pose(vertex, k)), time_asking(length))
-        for k, (vertex, length) in enumerate(zip(path, frames, strict=True))
-    ]
-    return PoseSequence(tuple(poses), tuple(moves))
+    The first entry brings it to its zero.
+    """
+    at_corners = [(*goal, PHANTOM * (k % 2)) for k, goal in enumerate(goals)]
+    poses = list(dict.fromkeys(at_corners))
+    lengths = [FIRST_FRAMES, *np.diff(frames).tolist()]
+    pairs = zip(at_corners, lengths, strict=True)
+    moves = tuple(Move(poses.index(pose), time_asking(length)) for pose, length in pairs)
+    return PoseSequence(tuple(poses), moves)
 
 
 def _measured(profile: Profile, sequence: PoseSequence, loop: bool) -> PoseFit:

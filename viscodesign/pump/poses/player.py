@@ -23,8 +23,7 @@ from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.play.stream import Stream, wait_for_second_request
 from viscodesign.pump.play.stream_result import StreamResult, TickReport
 from viscodesign.pump.play.ticks import SLICE
-from viscodesign.pump.poses import packets as pose_packets
-from viscodesign.pump.poses.engine import FRAME
+from viscodesign.pump.poses.engine import FRAME, LOOP, PLAY, loading, size_pose
 from viscodesign.pump.poses.fit import PoseFit
 from viscodesign.pump.profile import Profile
 
@@ -111,7 +110,7 @@ class PosePlayer:
     def load(self) -> None:
         """Load poses and moves onto the board; nothing moves."""
         self._refuse_a_real_phantom()
-        size, *rest = pose_packets.loading(self.fit.sequence)
+        size, *rest = loading(self.fit.sequence)
         self.board.size_pose(size)
         for packet in rest:
             self.board.tell(packet)
@@ -143,7 +142,7 @@ class PosePlayer:
         """
         result = StreamResult()
         try:
-            self.board.size_pose(pose_packets.size_pose(self.servos))
+            self.board.size_pose(size_pose(self.servos))
             for servo in self.pump.axes:
                 self.board.set(servo, registers.MOVING_SPEED, playing_speed(self.fit))
             result = self._played()
@@ -159,7 +158,7 @@ class PosePlayer:
             return StreamResult.interrupted(self.request)
         # From the sending on it may be playing, whatever is answered.
         self._began = clock.now()
-        self.board.start(pose_packets.loop() if looped else pose_packets.play())
+        self.board.start(LOOP if looped else PLAY)
         self._began = clock.now()
         end = self._began + self._move_ends[-1]
         while looped or clock.now() < end:

@@ -14,7 +14,7 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import Instruction, Parser
 from viscodesign.pump.boards.arbotix import LONGEST_READ, Arbotix
-from viscodesign.pump.poses import packets as pose_packets
+from viscodesign.pump.poses import engine
 from viscodesign.pump.poses.engine import MOST_MOVES, Move, PoseSequence
 from viscodesign.pump.simulated.device import Device, DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
@@ -100,16 +100,16 @@ def test_only_harmless_instructions_are_sent(loop: bool) -> None:
     rig.player.approach(_start(rig))
     rig.player.play()
     sent = Parser().feed(bytes(heard.bytes))
-    own = {packet.code for packet in sent if packet.id == pose_packets.ARBOTIX}
-    others = {packet.code for packet in sent if packet.id != pose_packets.ARBOTIX}
-    start = pose_packets.PoseInstruction.LOOP if loop else pose_packets.PoseInstruction.PLAY
+    own = {packet.code for packet in sent if packet.id == engine.ARBOTIX}
+    others = {packet.code for packet in sent if packet.id != engine.ARBOTIX}
+    start = engine.PoseInstruction.LOOP if loop else engine.PoseInstruction.PLAY
     assert own == {Instruction.PING, Instruction.READ, 7, 8, 9, start}
     assert others == {Instruction.READ, Instruction.WRITE}
     assert sum(packet.code == start for packet in sent) == 1
     assert all(packet.parameters[0] < 30 for packet in sent if packet.code == 8)
     assert all(len(packet.parameters) <= 141 for packet in sent)
     # Nothing is between the start and the halt, or the end.
-    behind = bytes(heard.bytes).partition(pose_packets.loop().encode())[2]
+    behind = bytes(heard.bytes).partition(engine.LOOP.encode())[2]
     assert behind.startswith(b"HHH") is loop
 
 
@@ -121,24 +121,24 @@ def _start(rig: PoseRig) -> object:
 
 def test_packets_are_those_of_the_firmwares_own_host() -> None:
     # The examples of the hardware notes: sent to the original firmware's image.
-    assert str(pose_packets.size_pose(2)) == "FF FF FD 03 07 02 F6"
-    assert str(pose_packets.load_pose(0, (300, 700))) == "FF FF FD 07 08 00 2C 01 BC 02 08"
+    assert str(engine.size_pose(2)) == "FF FF FD 03 07 02 F6"
+    assert str(engine.load_pose(0, (300, 700))) == "FF FF FD 07 08 00 2C 01 BC 02 08"
     moves = [Move(0, 989), Move(1, 494)]
-    assert str(pose_packets.load_sequence(moves)) == "FF FF FD 0B 09 00 DD 03 01 EE 01 FF 00 00 1F"
-    assert str(pose_packets.play()) == "FF FF FD 02 0A F6"
-    assert str(pose_packets.loop()) == "FF FF FD 02 0B F5"
+    assert str(engine.load_sequence(moves)) == "FF FF FD 0B 09 00 DD 03 01 EE 01 FF 00 00 1F"
+    assert str(engine.PLAY) == "FF FF FD 02 0A F6"
+    assert str(engine.LOOP) == "FF FF FD 02 0B F5"
 
 
 def test_what_would_hang_the_board_is_refused() -> None:
     with pytest.raises(PumpError, match="47 moves; the board takes 1 to 46"):
-        pose_packets.load_sequence([Move(0, 32)] * (MOST_MOVES + 1))
+        engine.load_sequence([Move(0, 32)] * (MOST_MOVES + 1))
     with pytest.raises(PumpError, match="0 moves"):
-        pose_packets.load_sequence([])
+        engine.load_sequence([])
     with pytest.raises(PumpError, match="pose 30"):
-        pose_packets.load_pose(30, (1, 2))
+        engine.load_pose(30, (1, 2))
     with pytest.raises(PumpError, match="32768 ms"):
-        pose_packets.load_sequence([Move(0, 32768)])
-    assert len(pose_packets.load_sequence([Move(0, 32)] * MOST_MOVES).encode()) == 147
+        engine.load_sequence([Move(0, 32768)])
+    assert len(engine.load_sequence([Move(0, 32)] * MOST_MOVES).encode()) == 147
 
 
 @given(st.lists(st.tuples(st.integers(0, 29), st.integers(0, 32767)), min_size=1, max_size=46))
@@ -148,7 +148,7 @@ def test_the_board_holds_what_it_was_given(entries: list[tuple[int, int]]) -> No
     poses = tuple((10 * k, 1000 * (k % 2)) for k in range(30))
     sequence = PoseSequence(poses, tuple(Move(pose, ms) for pose, ms in entries))
     speaker = board(device)
-    size, *rest = pose_packets.loading(sequence)
+    size, *rest = engine.loading(sequence)
     speaker.size_pose(size)
     for packet in rest:
         speaker.tell(packet)

@@ -172,15 +172,14 @@ def brute_force(wanted: np.ndarray, moves: int, levels: range) -> float:
 
 @pytest.mark.parametrize("shape", [(0, 1.2, 3.7, 4.4, 4.0), (2.0, 0.0, 0.4, 3.0, 2.0)])
 def test_the_search_agrees_with_brute_force(shape: tuple[float, ...]) -> None:
-    from viscodesign.pump.poses.search import MoveSearch
-    from viscodesign.pump.poses.tolerance_band import ToleranceBand
+    from viscodesign.pump.poses.search import MoveSearch, ToleranceBand
 
     wanted = 100.0 + np.array(shape)
     for moves in (1, 2):
         best = brute_force(wanted, moves, range(98, 107))
         for margin, found in ((best, True), (best - 1e-3, False)):
             band = ToleranceBand.around(wanted, wanted, margin, (98, 106), closed=False)
-            assert (MoveSearch([band], closed=False).vertices(moves) is not None) is found
+            assert (MoveSearch([band], closed=False).path(moves) is not None) is found
 
 
 def test_a_profile_beyond_the_engine_states_its_error() -> None:

@@ -10,8 +10,7 @@ from tests.pumps import HOME
 from tests.rig import faults
 from viscodesign.errors import PumpError
 from viscodesign.pump.ax.protocol import registers
-from viscodesign.pump.poses.engine import FRAME
-from viscodesign.pump.poses.packets import load_pose
+from viscodesign.pump.poses.engine import FRAME, load_pose
 from viscodesign.pump.poses.player import by_servo, playing_speed, split_at
 
 
