@@ -14,8 +14,8 @@ from tests.scenes import CONFIGS, leg
 from viscodesign import PumpPlan, Scene, load, plan, simulate
 from viscodesign.loading import load_pumped
 from viscodesign.pump.ax.servo_drive import ServoDrive
+from viscodesign.pump.planning.demand import feed_line_at
 from viscodesign.pump.planning.demand_kinds import pump_of
-from viscodesign.pump.planning.feed_line import feed_line_at
 from viscodesign.pump.planning.limits import verdicts
 from viscodesign.pump.planning.motion import active_effects
 from viscodesign.pump.planning.plan import requested_motion

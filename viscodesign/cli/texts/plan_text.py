@@ -19,7 +19,7 @@ def plan_lines(plan: PumpPlan, folder: Path, files: Sequence[Path]) -> list[str]
     alone = len(plan.inlets) == 1
     lines = [f"{plan.name}: {'feasible' if plan.is_feasible else 'INFEASIBLE'}", ""]
     for inlet in plan.inlets:
-        lines += [*table(plan.words[inlet]), ""]
+        lines += [*table(list(plan.words[inlet].items())), ""]
         own = [v for v in plan.verdicts if v.inlet == inlet]
         lines += ["limits" if alone else f"limits of {inlet}", *table([_row(v) for v in own]), ""]
     lines += [*_changes(plan), *_outcome(plan)]

@@ -13,7 +13,6 @@ from viscodesign.pump.ax.servo_limits import LIMITS
 from viscodesign.pump.ax.servo_pump import axis_limits
 from viscodesign.pump.play.axis import AxisLimits
 from viscodesign.pump.plunger.plunger_demand import PlungerDemand
-from viscodesign.pump.plunger.plunger_numbers import plunger_numbers
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 from viscodesign.scene.pumps.servo_motor import STEADY_SHARE
 from viscodesign.scene.scene import Scene
@@ -53,45 +52,34 @@ class AxDemand(PlungerDemand):
             ids = ", ".join(f"{name}: {k}" for k, name in enumerate(inlets, start=1))
             yield (
                 "pump.servo_id",
-                (
-                    f"{pump.servo_id} is one servo for {len(inlets)} inlets; give each its own, "
-                    f"like {{{ids}}}"
-                ),
+                f"{pump.servo_id} is one servo for {len(inlets)} inlets; give each its own, like "
+                f"{{{ids}}}",
             )
         yield from super().faults(scene)
 
     @property
-    def torque(self) -> np.ndarray:
-        """Torque at the pinion (T,), friction included [N m]."""
-        return self.load
-
-    @property
     def mean_current(self) -> float:
         """Current of the servo, averaged over the whole motion [A]."""
-        current = self.drive.current(self.torque)
+        current = self.drive.current(self.load)
         return float(np.trapezoid(current, self.time)) / float(np.ptp(self.time))
 
     def numbers(self) -> dict[str, float]:
-        n, drive = plunger_numbers(self), self.drive
+        n, drive = super().numbers(), self.drive
         return {
-            "stall_pressure_pa_gauge": n["stall_pressure_pa_gauge"],
-            "steady_pressure_pa_gauge": STEADY_SHARE * drive.stall_pressure,
             **n,
+            "steady_pressure_pa_gauge": STEADY_SHARE * drive.stall_pressure,
             "largest_current_a": float(drive.current(n["largest_torque_nm"])),
             "mean_current_a": self.mean_current,
             "fastest_speed_register": float(
                 drive.speed_register(float(np.max(np.abs(self.velocity))))
             ),
-            "lead_in_s": self.lead_s,
         }
 
-    @property
-    def stall_note(self) -> str:
-        return f"; a fifth of it is {STEADY_SHARE * self.drive.stall_pressure / 1e3:.3g} kPa"
-
-    @property
-    def needs_note(self) -> str:
-        return f", {self.drive.current(np.max(np.abs(self.torque))):.3g} A"
+    def words(self) -> dict[str, str]:
+        words, n = super().words(), self.numbers()
+        words["stall"] += f"; a fifth of it is {n['steady_pressure_pa_gauge'] / 1e3:.3g} kPa"
+        words["needs"] += f", {n['largest_current_a']:.3g} A"
+        return words
 
     @classmethod
     def limit_numbers(cls, demands: Sequence[Any]) -> dict[str, float]:

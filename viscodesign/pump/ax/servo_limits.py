@@ -55,7 +55,7 @@ def speed_register(demand: AxDemand) -> Assessment:
 
 def battery(demand: AxDemand) -> Assessment:
     """Mean current against the battery, for this pump alone."""
-    current, mean = demand.drive.current(demand.torque), demand.mean_current
+    current, mean = demand.drive.current(demand.load), demand.mean_current
     life, duration = demand.drive.battery_life(mean), float(np.ptp(demand.time))
     lasts = "without limit" if np.isinf(life) else f"{life / 60:.3g} min"
     message = (

@@ -8,8 +8,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from viscodesign.effects.base import Trait
+from viscodesign.effects.catalogue import every_effect, traits_of
+from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.feed_line import FeedLine
 from viscodesign.pump.planning.limits import CAP, LOWER, PRESSURE_LIMITS, Limits, Steps
 from viscodesign.pump.planning.result import Panel, PumpCourse
 from viscodesign.pump.play.axis import AxisLimits
@@ -18,6 +20,29 @@ from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.inputs.table import TableInput
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.cached_property import cached_property
+
+
+@dataclass(frozen=True)
+class FeedLine:
+    """What the tubes hold at an inlet."""
+
+    volume: float = 0.0  # [m3]
+    compliance: float = 0.0  # [m3/Pa]
+    compressible: bool = False  # whether its fluid has a density of its own, like the network's
+
+
+def feed_line_at(scene: Scene, inlet: str, active: frozenset[str]) -> FeedLine:
+    """The lines of an inlet in a model with these effects, to all actuators that it feeds."""
+    compressible = Trait.COMPRESSIBLE_FLUID in traits_of(active)
+    effects = every_effect(SceneQuantities(scene))
+    stored = [effects[name].node_storage(inlet, compressible) for name in sorted(active)]
+    volume, compliance = sum(v for v, _ in stored), sum(c for _, c in stored)
+    return FeedLine(fed_by_each(scene) * volume, fed_by_each(scene) * compliance, compressible)
+
+
+def fed_by_each(scene: Scene) -> int:
+    """Equal actuators that each inlet of the scene's pump feeds."""
+    return 1 if scene.pump is None else scene.pump.feeds
 
 
 @dataclass(frozen=True)
@@ -66,6 +91,11 @@ class PumpDemand(ABC):
     def steps(self) -> np.ndarray:
         """Targets of the axis (T,), not rounded."""
         return self.axis.home - self.axis.retreat_sign * self.position / self.axis.step
+
+    @cached_property
+    def rates(self) -> np.ndarray:
+        """Changes of the pressure in size, in each interval (T - 1,) [Pa/s]."""
+        return np.asarray(np.abs(np.diff(self.pressure) / np.diff(self.time)))
 
     @property
     def made_pressures(self) -> tuple[float, float]:
@@ -137,31 +167,27 @@ class PumpDemand(ABC):
     def numbers(self) -> dict[str, float]:
         """What the axis is and what the plan takes of it, under names with units."""
         low, high = self.made_pressures
-        rates = np.abs(np.diff(self.pressure) / np.diff(self.time))
         return {
             "step_pa": self.axis.step,
             "lowest_made_pressure_pa_gauge": low,
             "highest_made_pressure_pa_gauge": high,
             "highest_pressure_pa_gauge": float(self.pressure.max()),
             "lowest_pressure_pa_gauge": float(self.pressure.min()),
-            "fastest_change_pa_s": float(np.max(rates)),
+            "fastest_change_pa_s": float(np.max(self.rates)),
             "lead_in_s": self.lead_s,
         }
 
-    def words(self) -> list[tuple[str, str]]:
-        """The same for people: a heading and a sentence each."""
+    def words(self) -> dict[str, str]:
+        """The same for people: sentences by their headings."""
         n = self.numbers()
         low, high = (n[f"{end}_pressure_pa_gauge"] / 1e3 for end in ("lowest", "highest"))
-        return [
-            ("drive", f"{self.device}, for the inlet '{self.inlet}'"),
-            ("steps", f"{n['step_pa']:.3g} Pa"),
-            (
-                "needs",
-                f"{low:.4g} to {high:.4g} kPa gauge, changing by up to "
-                f"{n['fastest_change_pa_s'] / 1e3:.3g} kPa/s",
-            ),
-            ("lead-in", f"{self.lead_s:.3g} s from home to the pressure of the start"),
-        ]
+        return {
+            "drive": f"{self.device}, for the inlet '{self.inlet}'",
+            "steps": f"{n['step_pa']:.3g} Pa",
+            "needs": f"{low:.4g} to {high:.4g} kPa gauge, changing by up to "
+            f"{n['fastest_change_pa_s'] / 1e3:.3g} kPa/s",
+            "lead-in": f"{self.lead_s:.3g} s from home to the pressure of the start",
+        }
 
     @classmethod
     def limit_numbers(cls, demands: Sequence[Any]) -> dict[str, float]:

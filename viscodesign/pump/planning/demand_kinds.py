@@ -28,10 +28,8 @@ def pump_of(scene: Scene) -> PumpSpec:
     elif driven:
         key, message = (
             "input",
-            (
-                f"the inlet '{driven[0]}' already has a syringe as its input; a plan starts from "
-                "the pressure wanted at each inlet"
-            ),
+            f"the inlet '{driven[0]}' already has a syringe as its input; a plan starts from the "
+            "pressure wanted at each inlet",
         )
     elif fault := next(demand_kind(scene.pump).faults(scene), None):
         key, message = fault

@@ -13,8 +13,7 @@ from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.demand import PumpDemand
-from viscodesign.pump.planning.feed_line import FeedLine, fed_by_each
+from viscodesign.pump.planning.demand import FeedLine, PumpDemand, fed_by_each
 from viscodesign.pump.planning.scene_variants import with_pressures
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.pumps.base import PumpSpec

@@ -9,9 +9,8 @@ import numpy as np
 
 from viscodesign._version import __version__
 from viscodesign.pump.planning.achievable import SWEEPS, AchievableMotion, achievable_motion
-from viscodesign.pump.planning.demand import PumpDemand, course_of
+from viscodesign.pump.planning.demand import PumpDemand, course_of, feed_line_at
 from viscodesign.pump.planning.demand_kinds import demand_kind, pump_of
-from viscodesign.pump.planning.feed_line import feed_line_at
 from viscodesign.pump.planning.fixes import Trials, combined_fix, fixes_for
 from viscodesign.pump.planning.limits import verdicts
 from viscodesign.pump.planning.motion import (
@@ -77,7 +76,7 @@ def plan(scene: Scene, *, progress: Progress | None = None) -> PumpPlan:
         verdicts=found,
         together=combined_fix(trials, found),
         numbers={d.inlet: d.numbers() for d in demands},
-        words={d.inlet: tuple(d.words()) for d in demands},
+        words={d.inlet: d.words() for d in demands},
         panels=requested.kind.panels(demands),
         limits=requested.kind.limit_numbers(demands),
         warnings=(*_notices(requested.scene, demands, achieved), *run.warnings),

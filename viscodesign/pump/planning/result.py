@@ -98,7 +98,7 @@ class PumpPlan:
     numbers: Mapping[str, Mapping[str, float]]  # inlet -> its drive, by names with units
     limits: Mapping[str, float]  # what holds for all inlets, by names with units
     warnings: tuple[Notice, ...]
-    words: Mapping[str, tuple[tuple[str, str], ...]]  # inlet -> its drive, for people
+    words: Mapping[str, Mapping[str, str]]  # inlet -> its drive, for people: heading -> sentence
     panels: tuple[Panel, ...]  # of its picture
     resolved_sha256: str = ""
     """SHA-256 of the resolved spec, with all overrides."""

@@ -11,9 +11,8 @@ from viscodesign.effects.catalogue import catalogue
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.postprocess.outputs import Outputs
-from viscodesign.pump.planning.demand import PumpDemand
+from viscodesign.pump.planning.demand import PumpDemand, feed_line_at
 from viscodesign.pump.planning.demand_kinds import demand_kind, pump_of
-from viscodesign.pump.planning.feed_line import feed_line_at
 from viscodesign.pump.planning.scene_variants import planned, with_inputs
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.pumps.base import PumpSpec

@@ -9,7 +9,7 @@ import numpy as np
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.physics import gas
 from viscodesign.pump.drive import PlungerDrive
-from viscodesign.pump.planning.feed_line import FeedLine
+from viscodesign.pump.planning.demand import FeedLine
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 

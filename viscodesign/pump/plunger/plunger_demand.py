@@ -57,7 +57,7 @@ class PlungerDemand(PumpDemand):
 
     @classmethod
     def faults(cls, scene: Scene) -> Iterator[tuple[str, str]]:
-        return plunger_faults(scene, cls.drive_of(scene.pump))
+        yield from plunger_faults(scene, cls.drive_of(scene.pump))
 
     @cached_property
     def barrel(self) -> Barrel:
@@ -178,20 +178,10 @@ class PlungerDemand(PumpDemand):
         }
 
     def numbers(self) -> dict[str, float]:
-        return {**plunger_numbers(self), "lead_in_s": self.lead_s}
+        return plunger_numbers(self)
 
-    def words(self) -> list[tuple[str, str]]:
+    def words(self) -> dict[str, str]:
         return plunger_words(self)
-
-    @property
-    def stall_note(self) -> str:
-        """What else is to be said of the stall."""
-        return ""
-
-    @property
-    def needs_note(self) -> str:
-        """What else the motion needs of the drive."""
-        return ""
 
     @classmethod
     def limit_numbers(cls, demands: Sequence[Any]) -> dict[str, float]:

@@ -12,7 +12,7 @@ from viscodesign.effects.catalogue import names_with
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.physics import gas
 from viscodesign.pump.drive import PlungerDrive
-from viscodesign.pump.planning.feed_line import fed_by_each
+from viscodesign.pump.planning.demand import fed_by_each
 from viscodesign.pump.planning.result import PumpCourse
 from viscodesign.results.findings import Notice
 from viscodesign.scene.scene import Scene
@@ -27,29 +27,22 @@ def plunger_faults(scene: Scene, drive: PlungerDrive) -> Iterator[tuple[str, str
     if not fluid.is_gas and fluid.bulk_modulus is None:
         yield (
             "fluid",
-            (
-                f"the stiffness of {fluid.name}, which the pump pushes, is unknown; give "
-                "viscosity, density and gas_constant or bulk_modulus under fluid"
-            ),
+            f"the stiffness of {fluid.name}, which the pump pushes, is unknown; give viscosity, "
+            "density and gas_constant or bulk_modulus under fluid",
         )
     if drive.filled_at_home <= 0.0:
         yield (
             "pump.syringe_stroke",
-            (
-                f"{1e3 * pump.syringe_stroke:.4g} mm is not enough: from home ({pump.home} "
-                f"{drive.step_name}s) the travel {list(pump.travel)} draws the plunger out by "
-                f"{-1e3 * drive.range[0]:.4g} mm. "
-                f"Use a longer syringe, a smaller {drive.gear_key} or a shorter travel, or state "
-                "filled_length"
-            ),
+            f"{1e3 * pump.syringe_stroke:.4g} mm is not enough: from home ({pump.home} "
+            f"{drive.step_name}s) the travel {list(pump.travel)} draws the plunger out by "
+            f"{-1e3 * drive.range[0]:.4g} mm. Use a longer syringe, a smaller {drive.gear_key} or "
+            "a shorter travel, or state filled_length",
         )
     elif drive.filled_at_home > pump.syringe_stroke:
         yield (
             "pump.filled_length",
-            (
-                f"{1e3 * drive.filled_at_home:.4g} mm are longer than pump.syringe_stroke, the "
-                f"whole barrel of {1e3 * pump.syringe_stroke:.4g} mm"
-            ),
+            f"{1e3 * drive.filled_at_home:.4g} mm are longer than pump.syringe_stroke, the whole "
+            f"barrel of {1e3 * pump.syringe_stroke:.4g} mm",
         )
 
 
@@ -73,35 +66,27 @@ def plunger_numbers(demand: PlungerDemand) -> dict[str, float]:
         "lowest_pressure_pa_gauge": float(demand.pressure.min()),
         f"largest_{load.name}_{load.suffix}": float(np.max(np.abs(demand.load))),
         "largest_flow_m3_s": float(np.max(np.abs(demand.velocity))) * drive.area,
+        "lead_in_s": demand.lead_s,
     }
 
 
-def plunger_words(demand: PlungerDemand) -> list[tuple[str, str]]:
-    """The drive for people: a heading and a sentence each."""
+def plunger_words(demand: PlungerDemand) -> dict[str, str]:
+    """The drive for people: sentences by their headings."""
     n, load, steps = demand.numbers(), demand.drive.load, demand.axis.unit
     kpa = {name: n[f"{name}_pressure_pa_gauge"] / 1e3 for name in ("stall", "lowest", "highest")}
     ids = dict(zip(demand.scene.inputs, demand.pump.axes(len(demand.scene.inputs)), strict=True))
-    return [
-        ("drive", f"{demand.device}, id {ids[demand.inlet]}, for the inlet '{demand.inlet}'"),
-        ("stall", f"{kpa['stall']:.4g} kPa gauge{demand.stall_note}"),
-        (
-            steps,
-            f"{n[f'{steps}_per_ml']:.3g} per mL; per kPa {n[f'{steps}_per_kpa_fast']:.3g} at "
-            f"first, {n[f'{steps}_per_kpa_slow']:.3g} once the actuator has followed",
-        ),
-        (
-            "travel",
-            f"{1e6 * n['travel_volume_m3']:.3g} mL; {1e3 * n['filled_length_m']:.4g} mm of the "
-            "barrel filled at home",
-        ),
-        (
-            "needs",
-            f"{kpa['lowest']:.4g} to {kpa['highest']:.4g} kPa gauge, "
-            f"{n[f'largest_{load.name}_{load.suffix}']:.3g} {load.unit}, "
-            f"{1e6 * n['largest_flow_m3_s']:.3g} mL/s{demand.needs_note}",
-        ),
-        ("lead-in", f"{n['lead_in_s']:.3g} s from home to the pressure of the start"),
-    ]
+    return {
+        "drive": f"{demand.device}, id {ids[demand.inlet]}, for the inlet '{demand.inlet}'",
+        "stall": f"{kpa['stall']:.4g} kPa gauge",
+        steps: f"{n[f'{steps}_per_ml']:.3g} per mL; per kPa {n[f'{steps}_per_kpa_fast']:.3g} at "
+        f"first, {n[f'{steps}_per_kpa_slow']:.3g} once the actuator has followed",
+        "travel": f"{1e6 * n['travel_volume_m3']:.3g} mL; {1e3 * n['filled_length_m']:.4g} mm of "
+        "the barrel filled at home",
+        "needs": f"{kpa['lowest']:.4g} to {kpa['highest']:.4g} kPa gauge, "
+        f"{n[f'largest_{load.name}_{load.suffix}']:.3g} {load.unit}, "
+        f"{1e6 * n['largest_flow_m3_s']:.3g} mL/s",
+        "lead-in": f"{n['lead_in_s']:.3g} s from home to the pressure of the start",
+    }
 
 
 def _network_compliance(demand: PlungerDemand) -> float:

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from typing import Literal
+from typing import NamedTuple
 
 import numpy as np
 
 from viscodesign.errors import PumpError, UsageError
-from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
 from viscodesign.pump.poses.fit import PoseFit
 from viscodesign.units import QuantityKind
 
 
-@dataclass(frozen=True)
-class FitError:
+class FitError(NamedTuple):
     """Largest errors of a fit, of any plunger at any time."""
 
     counts: float
@@ -42,14 +40,13 @@ class FitError:
         )
 
 
-@dataclass(frozen=True)
-class Tolerance:
+class Tolerance(NamedTuple):
     """The largest error that may be played."""
 
     text: str
-    quantity: Literal["counts", "volume", "pressure"]
+    quantity: str
+    """A field of `FitError`."""
     value: float
-    """[counts], [m3] or [Pa]."""
 
     @classmethod
     def of(cls, text: str) -> Tolerance:
@@ -83,7 +80,7 @@ def _counts(text: str) -> float:
     return float(number)
 
 
-_READERS: dict[Literal["counts", "volume", "pressure"], Callable[[str], float]] = {
+_READERS: dict[str, Callable[[str], float]] = {
     "counts": _counts,
     "volume": QuantityKind("volume", "m^3", "0.1 mL").parse,
     "pressure": QuantityKind("pressure", "Pa", "1 kPa").parse,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from viscodesign.pump.planning.result import Panel, PumpPlan
+from viscodesign.report.charts.compare import frame_about
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import LINE_STYLES
 from viscodesign.report.layout.style import axes_at, head, head_room, picture, shown
@@ -47,7 +49,7 @@ def draw_plan(plan: PumpPlan, path: Path) -> None:
         wide, side, left, bottom = free, min(SQUARE, free), LEFT, WORDS + BOTTOM
         base = bottom + side + 2 * GAP + BOTTOM
     top, columns = base + PANELS, min(8, int(free))
-    legend = LEGEND * -(-_legend_entries(plan) // columns)
+    legend = LEGEND * -(-(2 + len(_named_inlets(plan))) // columns)
     with picture(path, width, top + legend + head_room(plan.wanted_run, width)) as made:
         panels = plan.panels
         tall = (PANELS + GAP) / len(panels) - GAP
@@ -121,36 +123,24 @@ def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
     colour, drawn = _shared_colour(plan), []
     for run, style in ((plan.wanted_run, WANTED), (plan.achievable_run, DONE)):
         for tip in plan.tips(run).values():
-            points = 1e3 * tip[:, :2]
-            drawn.append(points)
-            axes.plot(*points.T, solid_joinstyle="round", color=colour, **style)
+            drawn.append(1e3 * tip[:, :2])
+            axes.plot(*drawn[-1].T, solid_joinstyle="round", color=colour, **style)
             alpha = style.get("alpha")
-            axes.plot(*points[0], marker="o", ms=4, color=colour, alpha=alpha, zorder=4)
-    both = np.concatenate(drawn)
-    if plan.actuators:
-        _name_paths(axes, plan)
-    x, z = (both.min(axis=0) + both.max(axis=0)) / 2
-    half = max(float(np.max(np.ptp(both, axis=0))) * 0.56, 0.5)
-    axes.set(xlim=(x - half, x + half), ylim=(z + half, z - half))
-    axes.set(xlabel="x of the tip [mm]", ylabel="z of the tip [mm], down from the clamp")
-    axes.grid(color=look().grid, lw=0.6)
-    axes.set_axisbelow(True)
+            axes.plot(*drawn[-1][0], marker="o", ms=4, color=colour, alpha=alpha, zorder=4)
+    frame_about(axes, np.concatenate(drawn))
     axes.ticklabel_format(style="plain", useOffset=False)
+    if plan.actuators:
+        _name_paths(axes, dict(zip(plan.actuators, drawn, strict=False)))
 
 
-def _name_paths(axes: Axes, plan: PumpPlan) -> None:
-    """The names of several actuators, those of equal paths together, each at an end of its own."""
-    paths: list[tuple[list[str], np.ndarray]] = []
-    for actuator, tip in plan.tips(plan.wanted_run).items():
-        points = 1e3 * tip[:, :2]
-        alike = (names for names, other in paths if np.allclose(points, other, atol=SAME_PATH_MM))
-        names = next(alike, None)
-        if names is None:
-            paths.append(([actuator], points))
-        else:
-            names.append(actuator)
-    for k, (names, points) in enumerate(paths):
-        sign, axis = (1, -1)[k % 2], k // 2 % 2
+def _name_paths(axes: Axes, paths: Mapping[str, np.ndarray]) -> None:
+    """The names of several actuators, those of equal paths [mm] together, each at its own end."""
+    named: dict[str, list[str]] = {}
+    for name, points in paths.items():
+        alike = (own for own in named if np.allclose(points, paths[own], atol=SAME_PATH_MM))
+        named.setdefault(next(alike, name), []).append(name)
+    for k, (first, names) in enumerate(named.items()):
+        points, sign, axis = paths[first], (1, -1)[k % 2], k // 2 % 2
         end = points[int(np.argmax(sign * points[:, axis]))]
         axes.annotate(
             ", ".join(names), end, xytext=(0, 7 * (1 + k // 4)), textcoords="offset points",
@@ -174,19 +164,21 @@ def _draw_words(made: Figure, plan: PumpPlan, left: float, top: float) -> None:
     made.text(place[0], place[1], text, size=8, va="top", linespacing=1.35)
 
 
-def _legend_entries(plan: PumpPlan) -> int:
-    return min(MOST_ENTRIES, 2 + (len(plan.inlets) if len(plan.inlets) > 1 else 0))
+def _named_inlets(plan: PumpPlan) -> tuple[str, ...]:
+    """The inlets that the key names: as many as it holds, where there are several."""
+    return plan.inlets[: MOST_ENTRIES - 2] if len(plan.inlets) > 1 else ()
 
 
 def _draw_legend(made: Figure, plan: PumpPlan, bottom: float, columns: int) -> None:
-    inlets = plan.inlets if len(plan.inlets) > 1 else ()
     handles = [
         Line2D([], [], color=_shared_colour(plan), label="wanted", **WANTED),
         Line2D([], [], color=_shared_colour(plan), label="achievable", **DONE),
-        *(Line2D([], [], lw=2, label=shown(n, 14), **_line(k)) for k, n in enumerate(inlets)),
+        *(
+            Line2D([], [], lw=2, label=shown(name, 14), **_line(k))
+            for k, name in enumerate(_named_inlets(plan))
+        ),
     ]
-    place = np.array([LEFT, bottom]) / made.get_size_inches()
     made.legend(
-        handles=handles[:MOST_ENTRIES], loc="lower left", ncols=columns, handlelength=2.2,
-        borderaxespad=0, columnspacing=1.4, bbox_to_anchor=tuple(place),
+        handles=handles, loc="lower left", ncols=columns, handlelength=2.2, borderaxespad=0,
+        columnspacing=1.4, bbox_to_anchor=tuple(np.array([LEFT, bottom]) / made.get_size_inches()),
     )  # fmt: skip

@@ -16,6 +16,9 @@ from viscodesign.results.channels import TIP_COLUMNS
 from viscodesign.results.findings import documents, json_ready
 from viscodesign.results.provenance import provenance
 
+SHARED = ("name", "version", "spec_sha256", "resolved_sha256", "status", "failure")
+"""What `plan.json` says as the plan does."""
+
 
 def write_plan(
     plan: PumpPlan,
@@ -63,12 +66,7 @@ def plan_columns(plan: PumpPlan) -> tuple[list[str], np.ndarray]:
 def plan_document(plan: PumpPlan) -> dict[str, Any]:
     """The plan without its courses."""
     document = {
-        "name": plan.name,
-        "version": plan.version,
-        "spec_sha256": plan.spec_sha256,
-        "resolved_sha256": plan.resolved_sha256,
-        "status": plan.status,
-        "failure": plan.failure,
+        **{name: getattr(plan, name) for name in SHARED},
         "feasible": plan.is_feasible,
         plan.noun: plan.device,
         "inlets": dict(zip(plan.inlets, plan.axes, strict=True)),

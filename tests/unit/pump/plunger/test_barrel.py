@@ -7,7 +7,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign.pump.ax.servo_drive import ServoDrive
-from viscodesign.pump.planning.feed_line import FeedLine, feed_line_at
+from viscodesign.pump.planning.demand import FeedLine, feed_line_at
 from viscodesign.pump.plunger.barrel import Barrel
 
 AMBIENT = 101325.0

@@ -9,7 +9,7 @@ import pytest
 
 from tests.scenes import leg
 from viscodesign.pump.kinds.servo import ServoDemand
-from viscodesign.pump.planning.feed_line import FeedLine
+from viscodesign.pump.planning.demand import FeedLine
 from viscodesign.pump.planning.limits import infeasible, verdicts
 from viscodesign.pump.planning.limits import verdict as held_against
 from viscodesign.pump.planning.result import PumpVerdict
