@@ -84,9 +84,13 @@ def voltage(demand: AxDemand) -> Assessment:
 RATED = min(servo.rated_voltage for servo in SERVOS.values())
 VOLTAGE = Fix("pump.supply_voltage", RATED, "a supply of {:.4g} V", "V")
 OWN_NAMES = {"cap_stall": "cap_torque"}
-_PLUNGER = {OWN_NAMES.get(name, name): limit for name, limit in PLUNGER_LIMITS.items()}
-for _name in ("stall", "speed"):
-    _PLUNGER[_name] = Limit(_PLUNGER[_name].assess, (*_PLUNGER[_name].fixes, VOLTAGE))
+CURED_BY_VOLTAGE = ("stall", "speed")
+_PLUNGER = {
+    OWN_NAMES.get(name, name): Limit(
+        limit.assess, (*limit.fixes, VOLTAGE) if name in CURED_BY_VOLTAGE else limit.fixes
+    )
+    for name, limit in PLUNGER_LIMITS.items()
+}
 LIMITS: Limits = {
     "stall": _PLUNGER["stall"],
     "one_fifth": Limit(one_fifth, (LOWER, THINNER, VOLTAGE)),

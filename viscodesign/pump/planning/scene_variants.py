@@ -127,18 +127,11 @@ def ramped(scene: Scene, lasting: float) -> Scene:
 
 def scaled(scene: Scene, *, pressure: float = 1.0, time: float = 1.0) -> Scene:
     """The scene with every pressure of its inputs, and every time of its run, by a factor."""
-    run = scene.run
-    changes = {
-        "duration": time * run.duration,
-        "output_interval": time * run.output_interval,
-        "output_times": tuple(time * t for t in run.output_times or ()) or None,
-    }
     inputs = {
         name: copied(source, scaled_fields(source, pressure=pressure, time=time))
         for name, source in scene.inputs.items()
     }
-    slowed = copied(scene, {"run": copied(run, changes)})
-    return with_inputs(slowed, inputs)
+    return with_inputs(with_outputs(scene, time * scene.run.output_times_array()), inputs)
 
 
 def scaled_fields(source: Input, *, pressure: float = 1.0, time: float = 1.0) -> dict[str, Any]:
