@@ -101,8 +101,10 @@ class Trials:
 
 def fixes_for(trials: Trials, verdict: PumpVerdict) -> tuple[SuggestedChange, ...]:
     """What makes a verdict pass, each change alone; those that leave least undone first."""
-    aim, limit = Aim(verdict.inlet, (verdict.name,)), trials.requested.kind.limits[verdict.name]
-    tried = [_applied(fix, trials, aim, {}) for fix in limit.fixes]
+    limit, names = trials.requested.kind.limits[verdict.name], (verdict.name,)
+    tried = [
+        _applied(fix, trials, Aim(verdict.inlet, fix.cures or names), {}) for fix in limit.fixes
+    ]
     found = [pair[0] for pair in tried if pair is not None]
     return tuple(sorted(found, key=lambda change: len(change.leaves)))
 
@@ -151,7 +153,7 @@ def _applied(
     scene = trials.requested.scene
     if fix is SLOWER and jumps(scene):  # which have no time of their own
         fix = RAMPS
-    value = (_whole if fix.whole else _value)(fix, trials, aim, case)
+    value = _value(fix, trials, aim, case)
     if value is None:
         return None
     tried, shown = {**case, fix.key: value}, value / fix.si
@@ -163,18 +165,10 @@ def _applied(
     return SuggestedChange(fix.key, words, settings, trials.left(tried), factor), tried
 
 
-def _whole(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
-    """The value of a key that counts, nearest to its own, that passes all that it cures."""
-    assert fix.whole is not None
-    pump, aim = trials.pump_of(case), Aim(aim.inlet, fix.cures)
-    own = getattr(pump, fix.key.removeprefix("pump."))
-    values = sorted(fix.whole(pump), key=lambda value: abs(value - own))
-    passing = (v for v in values if aim.is_met(trials.demands({**case, fix.key: v})))
-    return next(passing, None)
-
-
 def _value(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
     """The value nearest to the present one that meets an aim: estimated, then tried."""
+    pump = trials.pump_of(case)
+    own = getattr(pump, fix.key.removeprefix("pump."), 1.0)
 
     def fits(value: float) -> bool:
         return aim.is_met(trials.estimated(case, {**case, fix.key: value}))
@@ -182,10 +176,12 @@ def _value(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
     def holds(value: float) -> bool:
         return aim.is_met(trials.demands({**case, fix.key: value}))
 
+    if fix.whole is not None:
+        nearest = sorted(fix.whole(pump), key=lambda value: abs(value - own))
+        return next(filter(holds, nearest), None)
     if fix is RAMPS:
         time = trials.requested.run.time
         return _nearest(holds, float(min(np.diff(time))), float(time[-1]))
-    own = getattr(trials.pump_of(case), fix.key.removeprefix("pump."), 1.0)
     guess = _nearest(fits, case.get(fix.key, own), fix.far)
     if guess is None or holds(guess):
         return guess

@@ -15,6 +15,7 @@ from viscodesign.interrupt import gentle_interrupt
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.planning.demand import FeedLine, PumpDemand, fed_by_each
 from viscodesign.pump.planning.scene_variants import with_pressures
+from viscodesign.results.motion_arrays import MotionArrays
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.pumps.base import PumpSpec
 from viscodesign.scene.scene import Scene
@@ -140,8 +141,7 @@ def run_model(scene: Scene, active: frozenset[str]) -> InletHistory:
         raise KeyboardInterrupt
     if run.motion.failure is not None:
         raise _broken_off(str(run.motion.failure), run.motion.time)
-    given = fed_by_each(scene) * run.motion["inflow"]
-    return InletHistory(run.motion.time, run.motion["inlet_pressure"], given)
+    return inlets_of(scene, run.motion)
 
 
 def run_verified(scene: Scene, progress: Progress | None) -> Trajectory:
@@ -155,7 +155,7 @@ def run_verified(scene: Scene, progress: Progress | None) -> Trajectory:
     return run
 
 
-def inlets_of(scene: Scene, run: Trajectory) -> InletHistory:
+def inlets_of(scene: Scene, run: MotionArrays) -> InletHistory:
     """What happened at the inlets of a run, with all actuators that they feed."""
     return InletHistory(run.time, run["inlet_pressure"], fed_by_each(scene) * run["inflow"])
 
