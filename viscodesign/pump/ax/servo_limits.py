@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.planning.limits import LOWER, Assessment, Fix, Limit, Limits
+from viscodesign.pump.planning.limits import LOWER, Assessment, Fix, Limits, PumpLimit
 from viscodesign.pump.planning.result import Severity
 from viscodesign.pump.plunger.plunger_limits import PLUNGER_LIMITS, THINNER
 from viscodesign.scene.pumps.servo_motor import SERVOS, STEADY_SHARE
@@ -86,16 +86,16 @@ VOLTAGE = Fix("pump.supply_voltage", RATED, "a supply of {:.4g} V", "V")
 OWN_NAMES = {"cap_stall": "cap_torque"}
 CURED_BY_VOLTAGE = ("stall", "speed")
 _PLUNGER = {
-    OWN_NAMES.get(name, name): Limit(
+    OWN_NAMES.get(name, name): PumpLimit(
         limit.assess, (*limit.fixes, VOLTAGE) if name in CURED_BY_VOLTAGE else limit.fixes
     )
     for name, limit in PLUNGER_LIMITS.items()
 }
 LIMITS: Limits = {
     "stall": _PLUNGER["stall"],
-    "one_fifth": Limit(one_fifth, (LOWER, THINNER, VOLTAGE)),
+    "one_fifth": PumpLimit(one_fifth, (LOWER, THINNER, VOLTAGE)),
     **_PLUNGER,
-    "speed_register": Limit(speed_register, (THINNER,)),
-    "battery": Limit(battery),
-    "voltage": Limit(voltage),
+    "speed_register": PumpLimit(speed_register, (THINNER,)),
+    "battery": PumpLimit(battery),
+    "voltage": PumpLimit(voltage),
 }

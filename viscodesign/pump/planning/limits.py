@@ -67,7 +67,7 @@ Steps = Sequence[tuple[Fix, Sequence[str]]]
 """Changes one upon the other, each with the limits that it is to satisfy."""
 
 
-class Limit(NamedTuple):
+class PumpLimit(NamedTuple):
     """One limit of a demand."""
 
     assess: Callable[[Any], Assessment]
@@ -75,7 +75,7 @@ class Limit(NamedTuple):
     """What may help against it, simplest first."""
 
 
-Limits = Mapping[str, Limit]
+Limits = Mapping[str, PumpLimit]
 """Limits by name, in the order in which a plan lists them."""
 
 
@@ -152,11 +152,11 @@ def pressure_resolution(demand: PumpDemand) -> Assessment:
 
 
 PRESSURE_LIMITS: Limits = {
-    "range": Limit(pressure_range, (LOWER,)),
-    "cap": Limit(cap, (CAP, LOWER)),
-    "rate": Limit(pressure_rate, (SLOWER, LOWER)),
-    "lag": Limit(pressure_lag, (SLOWER, LOWER)),
-    "resolution": Limit(pressure_resolution),
+    "range": PumpLimit(pressure_range, (LOWER,)),
+    "cap": PumpLimit(cap, (CAP, LOWER)),
+    "rate": PumpLimit(pressure_rate, (SLOWER, LOWER)),
+    "lag": PumpLimit(pressure_lag, (SLOWER, LOWER)),
+    "resolution": PumpLimit(pressure_resolution),
 }
 """Limits of an axis that sets the pressure itself."""
 

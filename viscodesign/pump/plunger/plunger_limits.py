@@ -16,8 +16,8 @@ from viscodesign.pump.planning.limits import (
     SLOWER,
     Assessment,
     Fix,
-    Limit,
     Limits,
+    PumpLimit,
     Steps,
     jump_words,
     within,
@@ -173,16 +173,16 @@ HOME = Fix(
     cures=CURED_BY_HOME,
 )
 PLUNGER_LIMITS: Limits = {
-    "stall": Limit(stall, (LOWER, THINNER)),
-    "speed": Limit(speed, (SLOWER, LOWER)),
-    "travel": Limit(travel, (HOME, LOWER, WIDER)),
-    "barrel": Limit(barrel, (HOME, LOWER, WIDER)),
-    "suction": Limit(suction, (LOWER,)),
+    "stall": PumpLimit(stall, (LOWER, THINNER)),
+    "speed": PumpLimit(speed, (SLOWER, LOWER)),
+    "travel": PumpLimit(travel, (HOME, LOWER, WIDER)),
+    "barrel": PumpLimit(barrel, (HOME, LOWER, WIDER)),
+    "suction": PumpLimit(suction, (LOWER,)),
     "cap": PRESSURE_LIMITS["cap"],
-    "cap_stall": Limit(cap_stall),
-    "resolution": Limit(resolution, (THINNER, HIGHER)),
-    "pressure_step": Limit(pressure_step, (THINNER,)),
-    "sensor": Limit(sensor),
+    "cap_stall": PumpLimit(cap_stall),
+    "resolution": PumpLimit(resolution, (THINNER, HIGHER)),
+    "pressure_step": PumpLimit(pressure_step, (THINNER,)),
+    "sensor": PumpLimit(sensor),
 }
 PLUNGER_STEPWISE: Steps = (
     (LOWER, ("stall", "speed", "suction")),  # what another drive cures only at a price
