@@ -26,9 +26,9 @@ from viscodesign.scene.spec_part import copied
 Variation = Mapping[str, float]
 """What is changed: factors of all pressures (`pressure`) and times (`time`), the duration of every
 jump (`ramp`) [s], and keys of the pump, such as `pump.home`."""
-DIGITS = 3
+FIX_DIGITS = 3
 """Of the values that are tried."""
-REACH = 4.0
+ESTIMATE_MARGIN = 4.0
 """Factor by which an estimate may be off."""
 
 
@@ -185,7 +185,9 @@ def _value(fix: Fix, trials: Trials, aim: Aim, case: Variation) -> float | None:
     guess = _nearest(fits, case.get(fix.key, own), fix.far)
     if guess is None or holds(guess):
         return guess
-    return _nearest(holds, guess, float(np.clip(fix.far, guess / REACH, guess * REACH)))
+    return _nearest(
+        holds, guess, float(np.clip(fix.far, guess / ESTIMATE_MARGIN, guess * ESTIMATE_MARGIN))
+    )
 
 
 def _nearest(passes: Callable[[float], bool], near: float, far: float) -> float | None:
@@ -195,8 +197,8 @@ def _nearest(passes: Callable[[float], bool], near: float, far: float) -> float 
     """
     low, high = sorted((near, far))
     decades = range(math.floor(math.log10(low)), math.floor(math.log10(high)) + 1)
-    digits = range(10 ** (DIGITS - 1), 10**DIGITS)
-    values = [float(f"{n}e{decade - DIGITS + 1}") for decade in decades for n in digits]
+    digits = range(10 ** (FIX_DIGITS - 1), 10**FIX_DIGITS)
+    values = [float(f"{n}e{decade - FIX_DIGITS + 1}") for decade in decades for n in digits]
     values = [value for value in values if low <= value <= high]
     if far < near:
         values.reverse()
