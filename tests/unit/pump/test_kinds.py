@@ -18,7 +18,6 @@ from viscodesign.pump.planning.limits import verdict
 from viscodesign.pump.planning.motion import InletHistory, RequestedMotion
 from viscodesign.pump.sessions.board_names import boards_of, kind_behind, pump_kinds
 from viscodesign.pump.sessions.connection import connected
-from viscodesign.pump.sessions.dry_run import _simulated_link
 from viscodesign.pump.simulated.device import Device
 from viscodesign.scene.pump import DEFAULT_KIND, PUMP_KINDS
 from viscodesign.scene.pumps.servo import ServoPumpSpec
@@ -208,7 +207,6 @@ def test_a_simulated_device_is_told_the_number_of_inlets(
     monkeypatch.setattr(ServoKind, "simulated_device", device)
     with connected(BoardAddress(pace="max"), scene):
         pass
-    _simulated_link(ServoKind(), scene)
     with connected(BoardAddress(pace="max"), None):
         pass
-    assert told == [inlets, inlets, 1]
+    assert told == [inlets, 1]

@@ -99,11 +99,13 @@ def connected(
     tell: Tell = ignore,
     *,
     poses: bool = False,
+    log: ByteLog | None = None,
 ) -> Iterator[Connection]:
     """An open board and the scene's pump; nothing was asked yet, and nothing moves.
 
-    ``plant``: what a simulated pump presses into; ``poses``: its board plays poses by itself.
-    Closed on leaving, whatever happens.
+    ``plant``: what a simulated pump presses into; ``poses``: its board plays poses by itself;
+    ``log``: what hears every byte in place of the address's own. Closed on leaving, whatever
+    happens.
     """
     kind, clock = kind_behind(address.board, scene), address.clock()
     board = kind.simulated_board(poses) if address.simulated else kind.boards()[address.board]
@@ -114,7 +116,7 @@ def connected(
     names: tuple[str, ...] = ("inlet",) if address.simulated else ()
     if scene is not None:
         pump, ambient, names = pump_of(scene), scene.ambient_pressure, tuple(scene.inputs)
-    log, baud = ByteLog(address.log, tell), address.baud or board.baud
+    log, baud = log or ByteLog(address.log, tell), address.baud or board.baud
     try:
         if address.simulated:
             device = kind.simulated_device(pump, len(names), plant, ambient, poses=poses)

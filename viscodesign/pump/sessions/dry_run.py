@@ -5,26 +5,23 @@ from __future__ import annotations
 from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.pump.bus.byte_log import LoggedLine, SentBytes
-from viscodesign.pump.bus.clock import SteppedClock
+from viscodesign.pump.bus.byte_log import SentBytes
 from viscodesign.pump.consent import ignore
-from viscodesign.pump.kinds.base import PumpKind
-from viscodesign.pump.kinds.connection import Connection
-from viscodesign.pump.planning.demand_kinds import pump_of
 from viscodesign.pump.play.stream_result import OnStop
 from viscodesign.pump.profile import Playback
-from viscodesign.pump.sessions.board_names import board_kind, kind_of
-from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress
+from viscodesign.pump.sessions.board_names import board_kind
+from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.reports import result_lines
 from viscodesign.pump.sessions.streaming import StreamSession
 from viscodesign.pump.sessions.uploading import UploadSession
-from viscodesign.pump.simulated.device import DirectLine
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
 SHOWN_PACKETS = 10
 """Packets of a stream that are printed."""
+AT_ONCE = BoardAddress(pace="max")
+"""A simulated board whose time does not wait; it presses into nothing here."""
 HEADING = "[dry run] no port is opened, nothing moves"
 
 
@@ -63,11 +60,11 @@ def rehearse(
 
 def rehearse_stream(session: StreamSession) -> Rehearsal:
     """The plan, and the packets that would set something."""
-    link, log = _simulated_link(session.kind, session.scene)
-    pump = link.connected_pump()
-    stream = session.stream_on(pump, StopRequest(), lambda tick: None)
-    pump.connect()
-    result = stream.play()
+    log = SentBytes()
+    with connected(AT_ONCE, session.scene, Plant(), log=log) as link:
+        pump = link.connected_pump()
+        pump.connect()
+        result = session.stream_on(pump, StopRequest(), lambda tick: None).play()
     packets = [data for data in log.sent if link.board.sets(data)]
     lines = [
         HEADING,
@@ -83,29 +80,17 @@ def rehearse_stream(session: StreamSession) -> Rehearsal:
 
 def rehearse_upload(session: UploadSession) -> Rehearsal:
     """The plan and the packets, those on the way to the start only counted."""
-    link, log = _simulated_link(kind_of(session.scene), session.scene, poses=True)
-    pump, poses, request = link.connected_pump(), session.poses, StopRequest()
+    log, poses, request = SentBytes(), session.poses, StopRequest()
 
     def end_after_one_round(elapsed: float) -> None:
         if poses.playback == "loop" and elapsed > poses.duration:
             request.times, request.first = 1, "dry run"
 
-    pump.connect()
-    result = poses.play_on(pump, request, ignore, end_after_one_round)
+    with connected(AT_ONCE, session.scene, Plant(), poses=True, log=log) as link:
+        pump = link.connected_pump()
+        pump.connect()
+        result = poses.play_on(pump, request, ignore, end_after_one_round)
     if result is not None and result.status == "stopped":
         raise PumpError(f"the simulated pump cannot play this: {result.reason}")
     lines = [HEADING, *session.description(), *poses.sent_lines(log.sent)]
     return Rehearsal("\n".join(lines), tuple(log.sent))
-
-
-def _simulated_link(
-    kind: PumpKind, scene: Scene, *, poses: bool = False
-) -> tuple[Connection, SentBytes]:
-    """A connection to a simulated pump that presses into nothing, and all that it sends."""
-    clock, pump, ambient = SteppedClock(), pump_of(scene), scene.ambient_pressure
-    names, plant = tuple(scene.inputs), Plant()
-    device = kind.simulated_device(pump, len(names), plant, ambient, poses=poses)
-    log = SentBytes()
-    line = LoggedLine(DirectLine(device, clock), log)
-    board = kind.simulated_board(poses)(line, pump.axes(len(names)))
-    return Connection(kind, board, log, clock, pump, ambient, names), log
