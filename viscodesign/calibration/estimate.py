@@ -40,7 +40,7 @@ SOLVER_RISE = 0.05
 LEAST_LEVEL = 1e-3
 """Noise relative to that found in the data alone, below which it does not fall."""
 
-Tell = Callable[[BestSoFar], None]
+Report = Callable[[BestSoFar], None]
 
 
 @dataclass(frozen=True)
@@ -53,10 +53,10 @@ class Estimate:
 
 
 class Search:
-    """What all estimates of one fit share: the request to stop, and who is told of progress."""
+    """What all estimates of one fit share: the request to stop, and who hears of progress."""
 
-    def __init__(self, stop: StopRequest, tell: Tell | None = None) -> None:
-        self.stop, self._tell = stop, tell
+    def __init__(self, stop: StopRequest, report: Report | None = None) -> None:
+        self.stop, self._report = stop, report
         self.evaluations = 0
 
     def descend(
@@ -68,7 +68,10 @@ class Search:
         second optimum, from which no sample brings it back.
         """
         limits = SearchLimits(
-            stop=self.stop, tell=self._tell, evaluations=MAX_FIT_EVALUATIONS, converged=FIT_REL_TOL
+            stop=self.stop,
+            report=self._report,
+            evaluations=MAX_FIT_EVALUATIONS,
+            converged=FIT_REL_TOL,
         )
         found = least_squares(
             misfit,

@@ -25,8 +25,8 @@ from viscodesign.results.fit_result import (
 from viscodesign.studies.least_squares import AT_BOUND
 
 OPEN_FROM = 1.0
-"""Standard deviation of a step from which the data do not tell a number: its interval would reach
-from a seventh to seven times its value."""
+"""Standard deviation of a step from which the data do not determine a number: its interval would
+reach from a seventh to seven times its value."""
 IDENTIFIED = 0.5
 """Half width of an interval, relative to the value, up to which a number counts as identified."""
 

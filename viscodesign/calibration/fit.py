@@ -76,9 +76,9 @@ def fit(
     and the names of the tip's.
 
     Noise, gross samples and late clocks are found in the data. ``next_experiment``: whether to tell
-    which experiment would tell most; by default where a number is not identified. ``progress`` is
-    called with the fraction done. Ctrl-C raises nothing once a first solution is there: the best so
-    far is returned. Where the model leaves far more than noise, ``status`` is ``mismatch``, and no
+    which experiment would be most informative; by default where a number is not identified.
+    ``progress`` is called with the fraction done. Ctrl-C raises nothing once a first solution
+    is there: the best so far is returned. Where the model leaves far more than noise, ``status`` is ``mismatch``, and no
     number is identified.
 
     Raises `SpecError` for files and keys that are none, `SolveError` where the scene has no
@@ -133,14 +133,14 @@ class _Fitting:
         self.names = [own.name for own in unknowns]
         self._are_defaults = free is None
         self._progress, self._evaluations = progress, 0
-        self.search = Search(stop, self._tell)
+        self.search = Search(stop, self._report_progress)
         self.drives = [self._drive(own) for own in self.recordings]
         self.clocks = [True] * len(self.recordings)
         self.all_effects = False
         self.solving = Solving()
         self.left_out: dict[str, str] = {}
 
-    def _tell(self, best: BestSoFar) -> None:
+    def _report_progress(self, best: BestSoFar) -> None:
         del best
         self._evaluations += 1
         if self._progress is not None:
@@ -229,7 +229,7 @@ class _Fitting:
         return resolved(self.search, again, self.models, self.solving)
 
     def next_experiment(self, found: Fit) -> Experiment | None:
-        """The experiment that would tell most beside the recordings."""
+        """The most informative experiment beside the recordings."""
         from viscodesign.calibration.next_experiment import best_experiment
 
         scene = fitted_scene(self.scene, found.numbers)

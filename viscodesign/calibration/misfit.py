@@ -13,7 +13,7 @@ from viscodesign.lazy_dataclass import dataclass
 
 PULL = 1.0
 """Standard deviation of the logarithm of a free number about the spec's value, which keeps numbers
-that the data hardly tell where they are. One known to 1 % is moved by 1e-4 of its distance."""
+that the data hardly determine where they are. One known to 1 % is moved by 1e-4 of its distance."""
 LARGEST_LOG_STEP = 2.0
 
 

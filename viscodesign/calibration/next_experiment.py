@@ -1,8 +1,8 @@
-"""Which experiment would tell most: a payload, a faster pulse, one more sensor.
+"""Which experiment would be most informative: a payload, a faster pulse, one more sensor.
 
-What an experiment would tell follows from the derivatives of its channels at the fitted numbers,
-with the noise of the instruments in use and its pressures taken as known. It adds to what the data
-at hand tell.
+What an experiment would determine follows from the derivatives of its channels at the fitted
+numbers, with the noise of the instruments in use and its pressures taken as known. It adds to
+the data at hand.
 """
 
 from __future__ import annotations
@@ -151,7 +151,7 @@ def _written(value: object) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-# -- what it would tell -----------------------------------------------------------
+# -- what it would determine -----------------------------------------------------------
 
 
 def _judged(

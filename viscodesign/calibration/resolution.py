@@ -1,4 +1,4 @@
-"""Whether a mesh and a tolerance are fine enough for what data tell, and finer ones where not.
+"""Whether a mesh and a tolerance are fine enough for what data determine, and finer ones where not.
 
 A coarse mesh moves the numbers that fit best. By how much follows from the change of the expected
 channels on a finer mesh, to first order; what is allowed is a part of a standard deviation.

@@ -23,8 +23,8 @@ class Spread:
     """(n + f, u) Derivatives of all residuals with respect to steps: the data, then the pulls."""
     pulls: int
     by_data: np.ndarray
-    """(u, u) Covariance by the data alone; what they do not tell at all has a standard deviation of
-    `UNKNOWN_DEVIATION`."""
+    """(u, u) Covariance by the data alone; what they do not determine at all has a standard
+    deviation of `UNKNOWN_DEVIATION`."""
 
     @property
     def deviations(self) -> np.ndarray:

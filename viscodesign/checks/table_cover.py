@@ -16,7 +16,7 @@ SPACINGS, SHARE_OF_RUN = 1.5, 0.01
 CUT_OFF, MANY_FINE_ROWS = 0.2, 300
 """Cut-off that is proposed, in times t_s, of which the first mode has a period of 1.8; and how many
 rows, less than half of it apart, make a run slow."""
-MEET_REL = 1e-6
+CYCLE_JUMP_REL_TOL = 1e-6
 """Difference of the ends of a cycle, relative to its range, that does not count as a jump."""
 
 
@@ -103,7 +103,7 @@ def _jump(source: TableInput, where: str) -> Iterator[Notice]:
     rows = source.rows or ()
     values = [value for _, value in rows]
     apart = values[0] - values[-1]
-    if abs(apart) > MEET_REL * (max(values) - min(values)):
+    if abs(apart) > CYCLE_JUMP_REL_TOL * (max(values) - min(values)):
         yield Notice(
             "cycle_jumps",
             f"the cycle ends at {_amount(values[-1], True)} and begins at "

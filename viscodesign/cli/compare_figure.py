@@ -46,7 +46,7 @@ def _lines(found: PaperFigure, folder: Path, files: Sequence[Path]) -> Iterator[
     """Every statement with its verdict and its numbers."""
     from viscodesign.cli.texts.layout import table, wrap
 
-    yield f"Figure {found.number}: {found.title}; {found.count_words}"
+    yield f"Figure {found.number}: {found.title}; {found.agreement}"
     yield from wrap(f"with {', '.join(found.changes)}") if found.changes else ()
     rows = [(c.panel or "-", c.verdict, c.section, f"{c.words}: {c.found}") for c in found.checks]
     yield from table(

@@ -52,7 +52,7 @@ def command(
         bool | None,
         typer.Option(
             "--next/--no-next",
-            help="Tell which experiment would tell most. Default: where a number is unknown.",
+            help="Suggest the most informative experiment. Default: where a number is unknown.",
         ),
     ] = None,
     *,

@@ -68,7 +68,7 @@ class GraphEvolution:
                 break
             left -= len(changed)
             elite = self._best([*elite, *trials.fitted(changed, CHANGE_EVALUATIONS).values()])
-            self._fit.task.tell()
+            self._fit.task.report()
         return elite
 
     @property

@@ -151,10 +151,10 @@ def _fit(
     draws = task.plan.draws(len(own)) if several else 0
     before = task.log.evaluations
 
-    def tell(best: BestSoFar) -> None:
+    def report(best: BestSoFar) -> None:
         task.log.evaluations = before + best.evaluations
         task.log.note(math.sqrt(best.cost), graph)
-        task.tell()
+        task.report()
 
     share = task.plan.exact_share if task.wanted.timing == "given" else NEAR_SHARE
     limits = SearchLimits(
@@ -163,7 +163,7 @@ def _fit(
         converged=task.plan.converged,
         until=task.until,
         stop=task.stop,
-        tell=tell,
+        report=report,
     )
     # The spec's own numbers are a guess of the user: they are refined first.
     fit = least_squares(residuals, ranges, [own], limits=limits)
@@ -232,5 +232,5 @@ def _as_it_is(task: SearchTask, scene: Scene, graph: str) -> NumberDesign:
     found = distance(task.wanted, tip, task.tolerance_m)
     task.log.evaluations += 1
     task.log.note(found.total_m, graph)
-    task.tell()
+    task.report()
     return NumberDesign(scene, (), (), np.zeros(0), found, np.zeros((0, 2)), (), "converged")

@@ -37,7 +37,7 @@ class QuickStarts:
                 found.append(self._fit.fitted(self._fit.own, start, QUICK_EVALUATIONS))
             except KeyboardInterrupt:
                 break
-            self._fit.task.tell()
+            self._fit.task.report()
         return _distinct(found)[:FULL_DESIGNS]
 
     def _are_enough(self, found: list[QuickCandidate]) -> bool:

@@ -95,7 +95,7 @@ class SearchTask:
         self.log.is_cut = self.log.is_cut or clock.perf_counter() > until
         return clock.perf_counter() > until
 
-    def tell(self) -> None:
+    def report(self) -> None:
         """Report how far the search has come."""
         if self.progress is not None:
             spent = clock.perf_counter() - self.log.began

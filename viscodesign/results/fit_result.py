@@ -45,7 +45,7 @@ class FittedNumber:
 
     @property
     def is_identified(self) -> bool:
-        """Whether the data tell it: its interval is narrow, and the model describes them."""
+        """Whether the data determine it: its interval is narrow, and the model describes them."""
         return not self.why_unknown
 
     @property
@@ -72,7 +72,7 @@ class FittedNumber:
 
 @dataclass(frozen=True)
 class FittedProduct:
-    """A product of powers of numbers that the data tell, where they do not tell its factors."""
+    """A product of powers of numbers that the data determine, though not its factors."""
 
     powers: tuple[tuple[str, float], ...]
     """Keys with their powers."""
@@ -158,7 +158,7 @@ class FittedRun:
 
 @dataclass(frozen=True)
 class Experiment:
-    """An experiment that would tell more, and how much."""
+    """A more informative experiment, and what it would add."""
 
     words: str
     overrides: tuple[str, ...]
@@ -204,7 +204,7 @@ class Fit(NotebookView):
     mismatch: Mismatch | None = None
     """Where the model leaves more of the recordings than their noise."""
     next_experiment: Experiment | None = None
-    """The recording that would tell most of the numbers that are not identified yet."""
+    """The most informative recording for the numbers that are not identified yet."""
     evaluations: int = 0
     """Times that the model was solved."""
     wall_s: float = 0.0

@@ -90,7 +90,7 @@ class PaperFigure:
         return sum(known), len(known)
 
     @property
-    def count_words(self) -> str:
+    def agreement(self) -> str:
         """How many statements agree, and how many of these by runs outside of their model."""
         agree, known = self.count
         outside = sum(bool(check.agrees and check.outside) for check in self.checks)

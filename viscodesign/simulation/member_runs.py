@@ -37,7 +37,7 @@ def member_runs(scene: SeveralScene, joined: JoinedScene, run: Trajectory) -> di
     Its spec is that of the actuator by itself, with the pressures at its inlets as they were in
     this run. Error, costs and balances are those of all together.
     """
-    run = replace(run, failure=told_of(joined, run.failure) if run.failure else None)
+    run = replace(run, failure=with_section_names(joined, run.failure) if run.failure else None)
     pressures = _node_pressures(joined.graph, run)
     found = {}
     for place, name in enumerate(joined.members):
@@ -200,8 +200,8 @@ def _new(before: Sequence[Notice], met: Sequence[Notice]) -> Iterator[Notice]:
     yield from (notice for notice in before if notice.code not in codes)
 
 
-def told_of(scene: Scene, text: str) -> str:
-    """What is said of a scene, its sections, counted in the row of all, as their actuators'."""
+def with_section_names(scene: Scene, text: str) -> str:
+    """A message on a joined scene, its sections called by their actuators instead of counted."""
     if not isinstance(scene, JoinedScene):
         return text
     return re.sub(r"\bsection (\d+)", lambda found: scene.section_name(int(found[1])), text)

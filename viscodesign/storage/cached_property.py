@@ -17,7 +17,7 @@ else:
     import functools
 
     class cached_property(functools.cached_property):  # noqa: N801
-        """The same for Python 3.11."""
+        """`cached_property` of Python 3.12, for 3.11."""
 
         def __get__(self, instance: Any, owner: Any = None) -> Any:
             if instance is None:

@@ -123,7 +123,7 @@ class SearchLimits:
     until: float = math.inf
     """Time of `time.perf_counter` [s]."""
     stop: StopRequest = field(default_factory=StopRequest)
-    tell: Callable[[BestSoFar], None] | None = None
+    report: Callable[[BestSoFar], None] | None = None
     """Called after every evaluation."""
 
 
@@ -208,8 +208,8 @@ class _Search:
         cost = self.cost(found)
         if self.best is None or cost < self.best.cost:
             self.best, self.best_residuals = BestSoFar(values, cost, self.evaluations), found
-        if self._limits.tell is not None and self.best is not None:
-            self._limits.tell(BestSoFar(self.best.values, self.best.cost, self.evaluations))
+        if self._limits.report is not None and self.best is not None:
+            self._limits.report(BestSoFar(self.best.values, self.best.cost, self.evaluations))
         if cost <= self._limits.met_cost:
             self._end("met")
 

@@ -17,7 +17,7 @@ from viscodesign.scene.reading.write import part_yaml, resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.several_scene import SeveralScene
 from viscodesign.scene.spec_part import copied
-from viscodesign.simulation.member_runs import coupled_motion, member_runs, told_of
+from viscodesign.simulation.member_runs import coupled_motion, member_runs, with_section_names
 from viscodesign.simulation.solve_once import Progress
 from viscodesign.studies.simulate import simulate
 from viscodesign.studies.stated_uncertainty import stated_deviations
@@ -72,7 +72,7 @@ def simulate_several(
                 scratch=scratch,
             )
         except SolveError as error:
-            failures |= dict.fromkeys(names, told_of(own, str(error)))
+            failures |= dict.fromkeys(names, with_section_names(own, str(error)))
             continue
         except RunInterruptedError as error:
             stopped, run = True, error.trajectory

@@ -123,7 +123,7 @@ class SweepRun:
         """Compute all rows that are not there, until the user asks to stop."""
         plan = self.plan
         rows = [(k, d) for k, d in enumerate(plan.designs) if k not in self.results]
-        self._tell()
+        self._report_progress()
         if not rows:
             return
         for chunk in self._chunks(rows, workers, cluster, stop):
@@ -172,9 +172,9 @@ class SweepRun:
             self._kept.add(chunk.results)
         self.results |= {found.row: found for found in chunk.results}
         self.computed += len(chunk.results)
-        self._tell()
+        self._report_progress()
 
-    def _tell(self) -> None:
+    def _report_progress(self) -> None:
         if self._progress is not None:
             self._progress(len(self.results) / len(self.plan.designs))
 

@@ -20,7 +20,7 @@ from viscodesign.calibration.recording import read_recording
 from viscodesign.calibration.resolution import Models, ResolutionCheck, resolved
 from viscodesign.calibration.run_model import RunModel, Solving
 from viscodesign.calibration.unknowns import ranges_of, run_unknowns, scene_unknowns
-from viscodesign.cli.texts.fit_text import untold
+from viscodesign.cli.texts.fit_text import undetermined
 from viscodesign.compiled.free_keys import FreeKeys
 from viscodesign.errors import SpecError
 from viscodesign.results.fit_result import Fit
@@ -163,7 +163,7 @@ def test_what_cannot_be_told_apart_has_no_interval(scene: Scene, tmp_path: Path)
     (product,) = found.products
     assert product.low <= TRUTH[pair[0]] * TRUTH[pair[1]] <= product.high
     assert product.high / product.low < 1.1
-    assert "cannot be told apart" in next(untold(found))
+    assert "cannot be told apart" in next(undetermined(found))
 
 
 def test_the_same_run_once_more_tells_as_much_again(

@@ -112,12 +112,12 @@ def test_several_starts_leave_a_local_minimum_and_a_seed_repeats_them() -> None:
 def test_a_request_to_stop_keeps_the_best_so_far() -> None:
     stop, told = StopRequest(), list[BestSoFar]()
 
-    def tell(best: BestSoFar) -> None:
+    def report(best: BestSoFar) -> None:
         told.append(best)
         if len(told) == 4:
             stop.ask()
 
-    limits = SearchLimits(stop=stop, tell=tell)
+    limits = SearchLimits(stop=stop, report=report)
     found = least_squares(Decay(Decay.model(TRUTH)), RANGES, START, limits=limits)
     assert found.status == "interrupted"
     assert found.evaluations == 4

@@ -1,4 +1,4 @@
-"""A fit as lines of text: numbers with intervals, and in words what the data cannot tell."""
+"""A fit as lines of text: numbers with intervals, and in words what the data do not determine."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
         *(line for text in mismatch_texts(found) for line in wrap(text, "  ", "    ")),
         *table(rows),
         *and_more(len(found.numbers), MOST_FIT_ROWS, "fit.json"),
-        *(line for text in untold(found) for line in wrap(text, "  ", "    ")),
+        *(line for text in undetermined(found) for line in wrap(text, "  ", "    ")),
         "",
         *table(
             [
@@ -89,20 +89,20 @@ def _percent(share: float) -> str:
     return f"{100 * share:.2g} %" if share < 1.0 else f"{100 * share:.0f} %"
 
 
-def untold(found: Fit) -> Iterator[str]:
-    """Sentences on what the data cannot tell."""
+def undetermined(found: Fit) -> Iterator[str]:
+    """Sentences on what the data do not determine."""
     in_products = set()
     for product in found.products:
         keys = [key for key, _ in product.powers]
         in_products |= set(keys)
         half = (product.high - product.low) / 2 / product.value
         yield (
-            f"{_listed(keys)} cannot be told apart: the data tell "
+            f"{_listed(keys)} cannot be told apart: the data determine "
             f"{product.formula} = {product.value:.5g} (SI, ± {_percent(half)}), "
             "and hardly anything of its factors alone."
         )
     if found.status == "mismatch":
-        return  # What the data tell is said of a model that describes them.
+        return  # What data determine is said of a model that describes them.
     alone = [
         n for n in found.numbers if not n.is_identified and not n.edge and n.key not in in_products
     ]

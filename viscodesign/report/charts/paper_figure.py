@@ -75,7 +75,7 @@ def draw_figure(found: PaperFigure, path: Path) -> None:
             for check in found.checks
             if check.agrees is False
         ]
-        told = [f"{found.count_words[0].upper()}{found.count_words[1:]}", *differing]
+        told = [f"{found.agreement[0].upper()}{found.agreement[1:]}", *differing]
         draw_plane(found.classifications, path, found.beside, told)
         return
     width = look().across(IN.left + 2 * IN.side + IN.gap + IN.right)
@@ -107,7 +107,7 @@ def _title(found: PaperFigure) -> str:
 
 def _head_lines(found: PaperFigure, width: float) -> list[tuple[str, str]]:
     """How many statements agree, and which runs leave their model, each line with its colour."""
-    told = [(f"{found.count_words[0].upper()}{found.count_words[1:]}", look().ink)]
+    told = [(f"{found.agreement[0].upper()}{found.agreement[1:]}", look().ink)]
     if found.outside:
         words = f"Outside of what the model describes: {', '.join(found.outside)}"
         told.append((words, look().warning))
