@@ -78,8 +78,8 @@ def fit(
     Noise, gross samples and late clocks are found in the data. ``next_experiment``: whether to tell
     which experiment would be most informative; by default where a number is not identified.
     ``progress`` is called with the fraction done. Ctrl-C raises nothing once a first solution
-    is there: the best so far is returned. Where the model leaves far more than noise, ``status`` is ``mismatch``, and no
-    number is identified.
+    is there: the best so far is returned. Where the model leaves far more than
+    noise, ``status`` is ``mismatch``, and no number is identified.
 
     Raises `SpecError` for files and keys that are none, `SolveError` where the scene has no
     solution.
