@@ -37,7 +37,8 @@ class JudgingNumbers:
     """Part of the accuracy below which what they do by the estimates is not judged, where the
     rod does not swing."""
     stated_per_measured: float = 1.25
-    """Stated error over the measured distance: the rest of both solutions' own errors."""
+    """Stated error over the measured distance: the rest of both solutions' own errors. Of a mesh
+    with less than twice the edges of the coarser one, times `mesh_share`."""
     stated_per_estimated: float = 2.0
     """The least of it, over what neglected effects do by the estimates: their displacement and the
     error of the coarser mesh may point the same way, and their difference then hides both."""
@@ -46,9 +47,6 @@ class JudgingNumbers:
     solution decides: either both parts hide each other, or the estimates are far too large."""
     coarser_tolerance: float = 10.0
     """Tolerance of the solution with everything, over that of the run."""
-    steps_share: float = 0.7
-    """Error of a run by steps and mesh, relative to its distance to a solution as coarse as that
-    with the same effects."""
     energy_margin: float = 3.0
     """Energy residual that is foreseen of a run, over what the solution with everything has in
     proportion to both tolerances: at a tenth of the tolerance it was 7 to 30 times smaller."""
@@ -69,6 +67,15 @@ def coarser(settings: Settings) -> Settings:
     edges = max(1, (settings.edges_per_section + 1) // 2)
     tolerance = JUDGING.coarser_tolerance * settings.tolerance
     return replace(settings, edges_per_section=edges, tolerance=tolerance, for_balances=False)
+
+
+def mesh_share(finer: Settings, coarser: Settings) -> float:
+    """Error of the finer of two meshes, in parts of their distance, as order one has it.
+
+    3 edges are not twice 2: their error may be twice the distance. Meshes alike: 0.
+    """
+    more = finer.edges_per_section - coarser.edges_per_section
+    return ERROR_CONTROL.space_share * coarser.edges_per_section / more if more else 0.0
 
 
 def judgeable(settings: Settings, everything: Run | None = None) -> Settings:

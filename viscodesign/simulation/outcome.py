@@ -12,8 +12,7 @@ from viscodesign.simulation.solve_once import Run
 NOT_VERIFIED = "not verified"
 METHOD = (
     f"time: {ERROR_CONTROL.time_share:g} of the last change of the tip when the tolerance was "
-    f"divided by ten; space: {ERROR_CONTROL.space_share:g} of its last change when the edge "
-    "length was halved; neglected effects: "
+    "divided by ten; space: its last change when the edge length was halved; neglected effects: "
 )
 ESTIMATED = (
     f"{NUMBERS.stated_per_estimated:g} times the difference between two estimates, with and "
@@ -21,14 +20,14 @@ ESTIMATED = (
 )
 TOGETHER = (
     f"all parts together: {JUDGING.stated_per_measured:g} times the distance to a solution with "
-    f"all effects, {JUDGING.coarser_tolerance:g} times the tolerance and half the edges; at least "
+    f"all effects, {JUDGING.coarser_tolerance:g} times the tolerance and half the edges (up to "
+    "twice that where their number is odd); at least "
     f"{JUDGING.stated_per_estimated:g} times what neglected effects do by the estimates"
 )
 APART = (
     f"all parts together: {JUDGING.stated_per_measured:g} times the difference between two "
-    f"solutions, with and without the neglected effects, and {JUDGING.steps_share:g} of the last "
-    f"change of the tip when the tolerance was divided by {JUDGING.coarser_tolerance:g} and the "
-    "edge length halved"
+    "solutions, with and without the neglected effects, and the last change of the tip when the "
+    f"tolerance was divided by {JUDGING.coarser_tolerance:g} and the edge length halved"
 )
 MEASURED = (
     f"{JUDGING.stated_per_measured:g} times the difference between two solutions, with and "

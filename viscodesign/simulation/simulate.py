@@ -21,7 +21,7 @@ from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.confirmed_event import EventDoubt, confirm_event
 from viscodesign.simulation.doubts import doubts
 from viscodesign.simulation.error_control import ErrorParts, Verifier
-from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable
+from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable, mesh_share
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
@@ -240,7 +240,8 @@ def _judged(
     least_m = JUDGING.stated_per_estimated * selection.estimated_m
 
     def measured(finer: Run) -> float:
-        return selection.stated(JUDGING.stated_per_measured * judge.omission(finer, whole).tip_m)
+        share = JUDGING.stated_per_measured * max(1.0, mesh_share(finer.settings, whole.settings))
+        return selection.stated(share * judge.omission(finer, whole).tip_m)
 
     def apart(finer: Run) -> float:
         return max(measured(finer), least_m)
@@ -265,8 +266,8 @@ def _judged(
         return None, None
 
     def of_steps_and_effects(finer: Run) -> float:
-        steps_m = tip_difference(alike.motion, finer.motion)
-        return neglected_m + JUDGING.steps_share * steps_m
+        share = mesh_share(finer.settings, alike.settings)
+        return neglected_m + share * tip_difference(alike.motion, finer.motion)
 
     if alike.is_complete and of_steps_and_effects(run) <= verifier.requested_m:
         return of_steps_and_effects, None

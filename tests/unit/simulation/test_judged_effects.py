@@ -10,14 +10,21 @@ import numpy as np
 import pytest
 
 from tests.scenes import leg
-from viscodesign import simulate
+from viscodesign import load, simulate
 from viscodesign.effects.select import NUMBERS, Selection, select_effects
 from viscodesign.errors import SolveError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.simulation import error_control, judged_effects
 from viscodesign.simulation.build_problem import Settings, suggest_settings
-from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, Omission, coarser, judgeable
+from viscodesign.simulation.judged_effects import (
+    JUDGING,
+    EffectJudge,
+    Omission,
+    coarser,
+    judgeable,
+    mesh_share,
+)
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
 SHORT = ("run={duration: 2 s, output_interval: 0.1 s}", "effects=auto", "bellows.count=8")
@@ -175,7 +182,7 @@ def test_effects_are_told_from_steps_once_estimates_were_corrected(
     effects_m = selection.stated(
         JUDGING.stated_per_measured * tip_difference(alike.motion, everything.motion)
     )
-    steps_m = JUDGING.steps_share * tip_difference(alike.motion, run.motion)
+    steps_m = mesh_share(run.settings, alike.settings) * tip_difference(alike.motion, run.motion)
     assert found.accuracy.estimated_tip_error_m == pytest.approx(effects_m + steps_m)
     assert "between two solutions, with and without" in found.accuracy.method
 
@@ -331,3 +338,63 @@ def test_a_distance_far_below_the_estimates_is_judged_by_a_third_solution(
     assert accuracy.estimated_tip_error_m is not None
     assert accuracy.estimated_tip_error_m > effects_m > NUMBERS.least_stated * accuracy.requested_m
     assert "between two solutions, with and without" in accuracy.method
+
+
+SOFT_LEG_IN_WATER: dict[str, Any] = {
+    "name": "soft_leg_in_water",
+    "actuator": {
+        "length": "80 mm",
+        "height": "20 mm",
+        "width": "15 mm",
+        "youngs_modulus": "0.8 MPa",
+        "density": "1000 kg/m^3",
+        "solid_fraction": 0.6,
+        "extension_factor": 0.6,
+        "bending_factor": 0.55,
+        "damping_time": "2.33 ms",
+    },
+    "bellows": {
+        "count": 8,
+        "height": "7 mm",
+        "width": "12 mm",
+        "length": "12 mm",
+        "area_per_pressure": "1.12e-9 m^2/Pa",
+        "angle_per_pressure": "4 rad",
+        "extension_per_pressure": "5.33 mm",
+        "area_per_force": "5e-7 m^2/N",
+        "area_per_moment": "3.75e-4 m^2/(N*m)",
+    },
+    "network": {
+        "layout": "straight",
+        "tube_radius": "0.8 mm",
+        "tube_length": "50 mm",
+        "tube_wall": {"youngs_modulus": "2 MPa", "thickness": "0.4 mm"},
+    },
+    "fluid": "water",
+    "input": {"kind": "square", "high": "200 Pa", "low": "0 Pa", "frequency": "4.56 Hz"},
+    "loads": {"gravity": "off", "payload": "0 g"},
+    "accuracy": "0.01 %",
+    "run": {"duration": "0.3 s", "output_interval": "3 ms"},
+}
+"""The rod presses back on bellows, and damping follows their strain: its mesh is of order one."""
+
+
+@pytest.mark.parametrize("effects", ["auto", {"others": "on"}], ids=["auto", "all"])
+def test_a_mesh_of_order_one_has_no_more_error_than_is_stated(effects: Any) -> None:
+    run = simulate(load(SOFT_LEG_IN_WATER | {"effects": effects}))
+    quantities = SceneQuantities(load(SOFT_LEG_IN_WATER | {"effects": {"others": "on"}}))
+    everything = select_effects(quantities).effects
+    fine = replace(settings_of(quantities), edges_per_section=30, tolerance=1e-7)
+    reference = solve(quantities, everything, fine).motion
+    true_m = np.max(np.hypot(*(run.tip - reference.tip)[:, :2].T))
+    assert run.accuracy.estimated_tip_error_m is not None
+    assert 0.2 < true_m / run.accuracy.estimated_tip_error_m < 1.0
+
+
+def test_the_part_of_a_meshs_error_follows_from_both_numbers_of_edges() -> None:
+    settings = settings_of(SceneQuantities(leg(*SHORT)))
+    meshes = {n: replace(settings, edges_per_section=n) for n in (1, 2, 3, 4, 5)}
+    assert mesh_share(meshes[2], meshes[1]) == mesh_share(meshes[4], meshes[2]) == 1.0
+    assert mesh_share(meshes[3], meshes[2]) == 2.0
+    assert mesh_share(meshes[5], meshes[3]) == 1.5
+    assert mesh_share(meshes[4], meshes[4]) == 0.0
