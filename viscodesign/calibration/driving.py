@@ -17,28 +17,38 @@ from viscodesign.scene.scene import Scene
 from viscodesign.scene.tables.smoothing import without_noise
 from viscodesign.scene.tables.straight_pieces import straight_pieces
 
-MOST_SQUARES = 2.0
-"""Mean square of what an input leaves of a measured pressure, over that of its noise, up to which
-it counts as what drove the run."""
-MOST_CORRELATION = 4.0
-"""Correlation of neighbours in what it leaves, times the root of their number, likewise."""
-GROSS_DRIVE_DEVIATIONS, MOST_GROSS_DRIVE = 6.0, 0.06
-"""Standard deviations from which a sample is gross, and the part of them that may be."""
-OTHER_CLOCK_SHARE = 0.8
-"""The clocks count as different if a shift leaves less than this part of the squares."""
-MOST_SHIFTS = 801
-"""Shifts that are tried."""
-LONGEST_SHIFT = 0.5
-"""Longest clock offset, as a part of the recording."""
-BOUND_NOISE = 0.1
-"""Distance of straight pieces from the smoothed rows, in standard deviations of the noise."""
-BOUND_REL = 2e-4
-"""The least such distance, relative to the range."""
-MOST_FREE_ROWS = 60
-"""Most rows of a measured input whose pressures are unknown: of more, noise is taken out, and what
-is left counts as exact. Each takes as long to differentiate by as a number of the scene."""
-ROWS_BETWEEN = 4
-"""Into which the time between two rows is divided, where a pressure is followed."""
+
+@dataclass(frozen=True)
+class DriveRules:
+    """When recordings share a clock, and how a drive is followed."""
+
+    most_squares: float = 2.0
+    """Mean square of what an input leaves of a measured pressure, over that of its noise, up to
+    which it counts as what drove the run."""
+    most_correlation: float = 4.0
+    """Correlation of neighbours in what it leaves, times the root of their number, likewise."""
+    gross_drive_deviations: float = 6.0
+    most_gross_drive: float = 0.06
+    """Standard deviations from which a sample is gross, and the part of them that may be."""
+    other_clock_share: float = 0.8
+    """The clocks count as different if a shift leaves less than this part of the squares."""
+    most_shifts: int = 801
+    """Shifts that are tried."""
+    longest_shift: float = 0.5
+    """Longest clock offset, as a part of the recording."""
+    bound_noise: float = 0.1
+    """Distance of straight pieces from the smoothed rows, in standard deviations of the noise."""
+    bound_rel: float = 2e-4
+    """The least such distance, relative to the range."""
+    most_free_rows: int = 60
+    """Most rows of a measured input whose pressures are unknown: of more, noise is taken out, and
+    what is left counts as exact. Each takes as long to differentiate by as a number of the
+    scene."""
+    rows_between: int = 4
+    """Into which the time between two rows is divided, where a pressure is followed."""
+
+
+RULES = DriveRules()
 
 
 @dataclass(frozen=True)
@@ -142,14 +152,14 @@ def _is_noise(time: np.ndarray, residual: np.ndarray, fitted: int) -> bool:
     Its level is that by which neighbours differ in what is left: the pressure itself moves.
     """
     level = white_level(time, residual[:, None])
-    plain = residual[np.abs(residual) < GROSS_DRIVE_DEVIATIONS * level]
+    plain = residual[np.abs(residual) < RULES.gross_drive_deviations * level]
     gross = len(residual) - len(plain)
-    if gross > 1 + MOST_GROSS_DRIVE * len(residual) or len(plain) < fitted + 3:
+    if gross > 1 + RULES.most_gross_drive * len(residual) or len(plain) < fitted + 3:
         return False
     squares = float(plain @ plain)
     correlation = abs(float(plain[1:] @ plain[:-1])) / squares * np.sqrt(len(plain))
-    is_small = squares / (len(plain) - fitted) < MOST_SQUARES * level**2
-    return is_small and correlation < MOST_CORRELATION
+    is_small = squares / (len(plain) - fitted) < RULES.most_squares * level**2
+    return is_small and correlation < RULES.most_correlation
 
 
 def _input_keys(scene: Scene, inlet: str) -> list[str]:
@@ -168,14 +178,14 @@ def _shift(scene: Scene, inlet: str, time: np.ndarray, pressure: np.ndarray) -> 
     """
     known = ~np.isnan(pressure)
     t, p = time[known], pressure[known]
-    longest = LONGEST_SHIFT * float(t[-1] - t[0])
-    step = max(float(np.median(np.diff(t))) / 4, 2 * longest / MOST_SHIFTS)
+    longest = RULES.longest_shift * float(t[-1] - t[0])
+    step = max(float(np.median(np.diff(t))) / 4, 2 * longest / RULES.most_shifts)
     count = int(longest / step)
     shifts = step * np.arange(-count, count + 1)
     squares = [_unlike(p, scene.inputs[inlet].values(np.maximum(t - own, 0.0))) for own in shifts]
     best = int(np.argmin(squares))
     own = _unlike(p, scene.inputs[inlet].values(np.maximum(t, 0.0)))
-    return float(shifts[best]) if squares[best] < OTHER_CLOCK_SHARE * own else 0.0
+    return float(shifts[best]) if squares[best] < RULES.other_clock_share * own else 0.0
 
 
 def _unlike(measured: np.ndarray, values: np.ndarray) -> float:
@@ -198,8 +208,8 @@ def _followed(
     pressure = pressure[first]
     noise, span = noise_level(t, pressure), float(np.ptp(pressure))
     smooth = without_noise(t, pressure, noise, 0.0) if span > 4 * noise else pressure
-    bound = max(BOUND_NOISE * noise, BOUND_REL * span)
-    is_exact = len(knots := straight_pieces(t, smooth, bound)) > MOST_FREE_ROWS
+    bound = max(RULES.bound_noise * noise, RULES.bound_rel * span)
+    is_exact = len(knots := straight_pieces(t, smooth, bound)) > RULES.most_free_rows
     if is_exact:
         t, smooth = _between(t, smooth)
         knots = straight_pieces(t, smooth, bound)
@@ -220,7 +230,7 @@ def _between(time: np.ndarray, value: np.ndarray) -> tuple[np.ndarray, np.ndarra
     """Times and values with more rows on a curve through the given ones that never overshoots."""
     from scipy.interpolate import PchipInterpolator
 
-    shares = np.arange(ROWS_BETWEEN) / ROWS_BETWEEN
+    shares = np.arange(RULES.rows_between) / RULES.rows_between
     fine = (time[:-1, None] + np.diff(time)[:, None] * shares).ravel()
     fine = np.append(fine, time[-1])
     return fine, np.asarray(PchipInterpolator(time, value)(fine))

@@ -19,26 +19,34 @@ from viscodesign.studies.least_squares import (
     least_squares,
 )
 
-ROBUST_SCALE = 2.0
-"""Residual, in standard deviations, from which it counts less while gross ones are sought."""
-GROSS_DEVIATIONS = 4.5
-"""Standard deviations from which a sample is gross: of 10,000 good ones 0.07 are."""
-MOST_GROSS = 0.1
-"""Part of a group's samples that may be gross: more are not slips of the tracking, but a model that
-does not fit."""
-REWEIGHTINGS = 2
-MAX_FIT_EVALUATIONS = 60
-"""Limit of one descent."""
-FIT_REL_TOL = 1e-6
-"""Relative change of the squares that ends a descent: of 1,000 samples' squares it is a number's
-move by 0.03 standard deviations. Below it are changes by the steps of the solver."""
-MOST_POLISHING = 6
-POLISHED = 0.02
-"""Largest step, in standard deviations, at which an estimate has settled."""
-SOLVER_RISE = 0.05
-"""Rise of the sum of squares by such a step that is attributed to the solver."""
-LEAST_LEVEL = 1e-3
-"""Noise relative to that found in the data alone, below which it does not fall."""
+
+@dataclass(frozen=True)
+class EstimateRules:
+    """When a sample is gross, and when a descent ends."""
+
+    robust_scale: float = 2.0
+    """Residual, in standard deviations, from which it counts less while gross ones are sought."""
+    gross_deviations: float = 4.5
+    """Standard deviations from which a sample is gross: of 10,000 good ones 0.07 are."""
+    most_gross: float = 0.1
+    """Part of a group's samples that may be gross: more are not slips of the tracking, but a model
+    that does not fit."""
+    reweightings: int = 2
+    max_fit_evaluations: int = 60
+    """Limit of one descent."""
+    fit_rel_tol: float = 1e-6
+    """Relative change of the squares that ends a descent: of 1,000 samples' squares it is a
+    number's move by 0.03 standard deviations. Below it are changes by the steps of the solver."""
+    most_polishing: int = 6
+    polished: float = 0.02
+    """Largest step, in standard deviations, at which an estimate has settled."""
+    solver_rise: float = 0.05
+    """Rise of the sum of squares by such a step that is attributed to the solver."""
+    least_level: float = 1e-3
+    """Noise relative to that found in the data alone, below which it does not fall."""
+
+
+RULES = EstimateRules()
 
 Report = Callable[[BestSoFar], None]
 
@@ -70,8 +78,8 @@ class Search:
         limits = SearchLimits(
             stop=self.stop,
             report=self._report,
-            evaluations=MAX_FIT_EVALUATIONS,
-            converged=FIT_REL_TOL,
+            evaluations=RULES.max_fit_evaluations,
+            converged=RULES.fit_rel_tol,
         )
         found = least_squares(
             misfit,
@@ -79,7 +87,7 @@ class Search:
             [start],
             limits=limits,
             loss="soft_l1" if robust else "linear",
-            loss_scale=ROBUST_SCALE if robust else 1.0,
+            loss_scale=RULES.robust_scale if robust else 1.0,
             scaling="slopes",
         )
         self.evaluations += found.evaluations
@@ -97,7 +105,7 @@ def refined(
     misfit: Misfit,
     start: np.ndarray,
     status: FitStatus = "converged",
-    rounds: int = REWEIGHTINGS,
+    rounds: int = RULES.reweightings,
 ) -> Estimate:
     """The same from a good start, whose noise is then taken from its residuals."""
     values = start
@@ -121,16 +129,16 @@ def polished(search: Search, found: Estimate, misfit: Misfit) -> Estimate:
     covariance = covariance_of(jacobian)
     deviations = np.sqrt(np.diag(covariance))
     residual = misfit(values)
-    for _ in range(MOST_POLISHING):
+    for _ in range(RULES.most_polishing):
         if search.stop.asked:
             return Estimate(values, misfit, "interrupted")
         steps = -covariance @ (jacobian.T @ residual)
         moved = np.clip(misfit.stepped(values, steps), ranges.low, ranges.high)
         new = misfit(moved)
-        if not new @ new <= residual @ residual + SOLVER_RISE:
+        if not new @ new <= residual @ residual + RULES.solver_rise:
             break
         values, residual = moved, new
-        if np.max(np.abs(steps / deviations)) < POLISHED:
+        if np.max(np.abs(steps / deviations)) < RULES.polished:
             break
     levels = residual_levels(misfit, values)
     return Estimate(values, _cleaned(misfit.with_(levels=levels), values), found.status)
@@ -153,8 +161,8 @@ def _gross(apart: np.ndarray) -> np.ndarray:
     known = np.isfinite(apart)
     size = np.abs(apart[known])
     level = float(np.median(size)) / NORMAL_MAD
-    found = known & (np.abs(np.where(known, apart, 0.0)) > GROSS_DEVIATIONS * level)
-    return found if found.sum() <= MOST_GROSS * known.sum() else np.zeros_like(found)
+    found = known & (np.abs(np.where(known, apart, 0.0)) > RULES.gross_deviations * level)
+    return found if found.sum() <= RULES.most_gross * known.sum() else np.zeros_like(found)
 
 
 def residual_levels(misfit: Misfit, values: np.ndarray) -> list[np.ndarray]:
@@ -171,7 +179,7 @@ def residual_levels(misfit: Misfit, values: np.ndarray) -> list[np.ndarray]:
             free = float(rows.sum() - levers[own][rows].sum())
             if free > 1.0:
                 squares = float(np.sum(residuals[own][rows] ** 2)) / free
-                new[group] = level[group] * max(np.sqrt(squares), LEAST_LEVEL)
+                new[group] = level[group] * max(np.sqrt(squares), RULES.least_level)
         found.append(new)
     return found
 

@@ -30,19 +30,27 @@ from viscodesign.results.fit_result import Experiment
 from viscodesign.scene.cross_checks import SINGLE_INLET
 from viscodesign.scene.scene import Scene
 
-PAYLOADS = (2.0, 7.0)
-"""In masses of the actuator."""
-PULSE_TIMES = 3.0
-"""Duration of a fast pulse's flanks, relative to the body's own motion."""
-PULSE_AT = (0.1, 0.6)
-"""When the pressure falls and when it rises again, as parts of the run."""
-VOLUME_NOISE = 0.005
-"""Noise of a syringe's volume, relative to what it delivers, where none was measured."""
-WELL_KNOWN_NUMBER = 0.01
-"""Standard deviation below which it is of no more use to know a number better."""
+
+@dataclass(frozen=True)
+class ExperimentRules:
+    """Experiments that are weighed, and what one must be worth."""
+
+    payloads: tuple[float, ...] = (2.0, 7.0)
+    """In masses of the actuator."""
+    pulse_times: float = 3.0
+    """Duration of a fast pulse's flanks, relative to the body's own motion."""
+    pulse_at: tuple[float, ...] = (0.1, 0.6)
+    """When the pressure falls and when it rises again, as parts of the run."""
+    volume_noise: float = 0.005
+    """Noise of a syringe's volume, relative to what it delivers, where none was measured."""
+    well_known_number: float = 0.01
+    """Standard deviation below which it is of no more use to know a number better."""
+    most_planned_times: int = 240
+
+
+RULES = ExperimentRules()
 EFFORT = 0.15
 """Mean gain, in the logarithm of a standard deviation, that one more change must be worth."""
-MOST_PLANNED_TIMES = 240
 
 
 @dataclass(frozen=True)
@@ -99,7 +107,7 @@ Changes = tuple[tuple[str, object], ...]
 def _payloads(scene: Scene) -> Iterator[Changes]:
     """Masses at the tip, and gravity where the scene had none."""
     body = SceneQuantities(scene).body
-    for ratio in PAYLOADS:
+    for ratio in RULES.payloads:
         mass = _rounded(ratio * body.mass_per_length * body.length)
         if math.isclose(mass, scene.loads.payload, rel_tol=0.3):
             continue
@@ -120,7 +128,7 @@ def _pulses(scene: Scene, model: RunModel) -> Iterator[Changes]:
     duration = float(model.function.times[-1])
     own = model.drive.scene.inputs[SINGLE_INLET]
     low, high = own.extremes(duration)
-    flank = _rounded(PULSE_TIMES * SceneQuantities(scene).scales.t_s)
+    flank = _rounded(RULES.pulse_times * SceneQuantities(scene).scales.t_s)
     if own.swing_time_within(duration) < 1.5 * flank or not high > low:
         return
     start = float(own.values(np.zeros(1))[0])
@@ -129,8 +137,8 @@ def _pulses(scene: Scene, model: RunModel) -> Iterator[Changes]:
         "kind": "double_sigmoid",
         "start": high if begins_high else low,
         "drop": (high - low) * (1 if begins_high else -1),
-        "fall_time": PULSE_AT[0] * duration,
-        "rise_time": PULSE_AT[1] * duration,
+        "fall_time": RULES.pulse_at[0] * duration,
+        "rise_time": RULES.pulse_at[1] * duration,
         "transition": flank,
     }
     words = f"a pulse between {1e-3 * low:.3g} and {1e-3 * high:.3g} kPa with flanks of {flank:g} s"
@@ -179,7 +187,7 @@ def _judged(
         sensors = ("syringe_volume_m3",) if takes_volume and not has_volume else ()
         effort = EFFORT * (len(candidate.words) + len(sensors))
         score = (
-            float(np.mean(np.log(np.clip(deviations, WELL_KNOWN_NUMBER, UNKNOWN_DEVIATION))))
+            float(np.mean(np.log(np.clip(deviations, RULES.well_known_number, UNKNOWN_DEVIATION))))
             + effort
         )
         yield score, _experiment(candidate, sensors, deviations, misfit, spread, is_same)
@@ -188,7 +196,7 @@ def _judged(
 def _model(candidate: Candidate, first: RunModel, misfit: Misfit) -> RunModel:
     """The model of a run of the experiment, its rows those of the first recording."""
     time = first.recording.time - first.recording.time[0]
-    time = np.linspace(0.0, time[-1], min(len(time), MOST_PLANNED_TIMES))
+    time = np.linspace(0.0, time[-1], min(len(time), RULES.most_planned_times))
     nothing = np.zeros(len(time))
     channels = [replace(own, values=nothing) for own in first.recording.channels]
     outputs = {own.output for own in channels}
@@ -213,7 +221,7 @@ def _levels(model: RunModel, first: RunModel, levels: np.ndarray) -> np.ndarray:
     expected = model(model.function.values[: model.free_count], model.own_values)
     found = []
     for k, own in enumerate(model.channels):
-        guess = VOLUME_NOISE * float(np.ptp(expected[:, k])) or math.inf
+        guess = RULES.volume_noise * float(np.ptp(expected[:, k])) or math.inf
         found.append(known.get(own.output, guess))
     return np.array(found)
 

@@ -21,19 +21,28 @@ from viscodesign.studies.least_squares import NumberRanges
 
 NORMAL_95 = 1.959964
 """Standard deviations of a normal distribution that hold 95 %."""
-CLOSE = 0.02
-"""Error of an end, relative to its distance."""
-LARGEST_MOVE = 1.0
-"""Step that is taken at once, beyond which the others are fitted again before it goes on."""
-MOST_PROFILE_POINTS = 12
-"""Points of a profile on one side."""
-FOLLOWING_STEPS = 3
-"""Gauss-Newton steps in which the others follow, at most."""
-MOST_DERIVATIVES = 10
-"""Points at which all profiles together have derivatives of their own; elsewhere those at the best
-fit have to do."""
-FOLLOWED_FALL = 0.02
-"""Fall of the squares by such a step, over 3.84, at which they have followed."""
+
+
+@dataclass(frozen=True)
+class ProfileRules:
+    """How far and how closely a profile is followed."""
+
+    close: float = 0.02
+    """Error of an end, relative to its distance."""
+    largest_move: float = 1.0
+    """Step that is taken at once, beyond which the others are fitted again before it goes on."""
+    most_profile_points: int = 12
+    """Points of a profile on one side."""
+    following_steps: int = 3
+    """Gauss-Newton steps in which the others follow, at most."""
+    most_derivatives: int = 10
+    """Points at which all profiles together have derivatives of their own; elsewhere those at the
+    best fit have to do."""
+    followed_fall: float = 0.02
+    """Fall of the squares by such a step, over 3.84, at which they have followed."""
+
+
+RULES = ProfileRules()
 
 
 @dataclass(frozen=True)
@@ -91,29 +100,29 @@ class Profiles:
         The root is what is nearly linear in the step.
         """
         inside, done, outside = ProfilePoint(self._spread.values, 0.0), 0.0, math.inf
-        step = min(NORMAL_95 * profile.deviation, LARGEST_MOVE)
-        for _ in range(MOST_PROFILE_POINTS):
+        step = min(NORMAL_95 * profile.deviation, RULES.largest_move)
+        for _ in range(RULES.most_profile_points):
             if self._stop.asked:
                 raise KeyboardInterrupt
             found = profile.at(inside.values, sign * (step - done))
             if found is not None and found.rise < self.lowest.rise:
                 self.lowest = found
             root = math.inf if found is None else math.sqrt(max(found.rise, 0.0))
-            if abs(root / NORMAL_95 - 1) < CLOSE:
+            if abs(root / NORMAL_95 - 1) < RULES.close:
                 return IntervalEnd(profile.value_at(sign * step * NORMAL_95 / root), False)
             if found is None or root > NORMAL_95:
                 outside = step
                 before = math.sqrt(max(inside.rise, 0.0))
                 share = 0.5 if found is None else (NORMAL_95 - before) / (root - before)
                 step = done + float(np.clip(share, 0.1, 0.98)) * (step - done)
-                if outside - done < CLOSE * outside:
+                if outside - done < RULES.close * outside:
                     return IntervalEnd(profile.value_at(sign * step), False)
                 continue
             inside, done = found, step
             if profile.is_at_bound(found.values):
                 return IntervalEnd(profile.value_at(sign * step), True)
             ahead = step * min(NORMAL_95 / max(root, 1e-3), 3.0)
-            limit = step + max(LARGEST_MOVE, 0.5 * step)
+            limit = step + max(RULES.largest_move, 0.5 * step)
             step = min(ahead, limit, (done + outside) / 2)
         return IntervalEnd(profile.value_at(sign * done), outside == math.inf)
 
@@ -169,8 +178,8 @@ class _Profile:
         """The point after Gauss-Newton steps of the other numbers."""
         jacobian = self._without_own(self._spread.jacobian)
         point, residual = self._point(values)
-        for k in range(FOLLOWING_STEPS):
-            if k and len(self._derived) < MOST_DERIVATIVES:
+        for k in range(RULES.following_steps):
+            if k and len(self._derived) < RULES.most_derivatives:
                 # The derivatives at the best fit did not do.
                 self._derived.append(self._number)
                 sizes = self._comparison.sizes(point.values)
@@ -179,7 +188,7 @@ class _Profile:
             steps = np.zeros(len(values))
             steps[self._others] = -np.linalg.solve(information, jacobian.T @ residual)
             expected = -float(residual @ (jacobian @ steps[self._others]))
-            if expected < FOLLOWED_FALL * NORMAL_95**2:
+            if expected < RULES.followed_fall * NORMAL_95**2:
                 break
             try:
                 new, new_residual = self._point(self._stepped(point.values, steps))

@@ -12,22 +12,35 @@ from viscodesign.inverse.quick_fit import QUICK_EVALUATIONS, QuickCandidate, Qui
 from viscodesign.inverse.quick_starts import QuickStarts
 from viscodesign.inverse.tree_changes import changed_chain, changed_tree
 from viscodesign.inverse.tree_graph import TreeGraph, mirrored, straight
+from viscodesign.lazy_dataclass import dataclass
 
 GraphPair = tuple[TreeGraph, np.ndarray]
 """A graph, and the numbers from which it is fitted."""
-CHANGE_EVALUATIONS = 15
-MORE_CHANGES, MOST_MORE_CHANGES = 0.25, 4
-"""Chance of one more change at once, and how many more there may be."""
+
+
+@dataclass(frozen=True)
+class EvolutionRules:
+    """Sizes and ends of a search by changes of graphs."""
+
+    change_evaluations: int = 15
+    more_changes: float = 0.25
+    most_more_changes: int = 4
+    """Chance of one more change at once, and how many more there may be."""
+    generation: int = 16
+    plain_generation: int = 64
+    """Graphs that are changed from the same elite, and tried side by side."""
+    most_draws: int = 50
+    """Changes in a row that lead to known graphs only, after which a generation is complete."""
+    elite: int = 8
+    plain_elite: int = 24
+    """Graphs that are changed, the best the most: with numbers that are fitted, and without."""
+
+
+RULES = EvolutionRules()
 CHANGES_PER_S, PLAIN_CHANGES_PER_S = 2.5, 150.0
 """Changed graphs for each second of the budget, whose numbers are fitted, and of such as have none
 that are free: about a quarter of what an idle core does, so that the budget seldom ends the search,
 and a busy machine finds what an idle one does."""
-GENERATION, PLAIN_GENERATION = 16, 64
-"""Graphs that are changed from the same elite, and tried side by side."""
-MOST_DRAWS = 50
-"""Changes in a row that lead to known graphs only, after which a generation is complete."""
-ELITE, PLAIN_ELITE = 8, 24
-"""Graphs that are changed, the best the most: with numbers that are fitted, and without."""
 
 
 class GraphEvolution:
@@ -67,7 +80,7 @@ class GraphEvolution:
             if not changed or self._fit.is_over:
                 break
             left -= len(changed)
-            elite = self._best([*elite, *trials.fitted(changed, CHANGE_EVALUATIONS).values()])
+            elite = self._best([*elite, *trials.fitted(changed, RULES.change_evaluations).values()])
             self._fit.task.report()
         return elite
 
@@ -79,10 +92,10 @@ class GraphEvolution:
 
     def _generation(self, elite: list[QuickCandidate], most: int) -> list[GraphPair]:
         """New graphs, each changed from one of the elite, with the numbers that it had."""
-        size = min(most, GENERATION if self._has_numbers else PLAIN_GENERATION)
+        size = min(most, RULES.generation if self._has_numbers else RULES.plain_generation)
         found: list[GraphPair] = []
         failed = 0
-        while len(found) < size and failed < MOST_DRAWS:
+        while len(found) < size and failed < RULES.most_draws:
             place = min(int(self._random.expovariate(4.0 / self._elite)), len(elite) - 1)
             graph = self._new_graph(elite[place].graph)
             if graph.key in self._seen:
@@ -95,9 +108,9 @@ class GraphEvolution:
 
     def _new_graph(self, parent: TreeGraph) -> TreeGraph:
         graph = self._changed(parent)
-        for _ in range(MOST_MORE_CHANGES):
+        for _ in range(RULES.most_more_changes):
             # Beside the best all are known sooner or later: look farther off.
-            if graph.key in self._seen or self._random.random() < MORE_CHANGES:
+            if graph.key in self._seen or self._random.random() < RULES.more_changes:
                 graph = self._changed(graph)
         return graph
 
@@ -144,4 +157,4 @@ class GraphEvolution:
 
     @property
     def _elite(self) -> int:
-        return ELITE if self._has_numbers else PLAIN_ELITE
+        return RULES.elite if self._has_numbers else RULES.plain_elite

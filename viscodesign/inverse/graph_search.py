@@ -17,21 +17,33 @@ from viscodesign.inverse.quick_fit import QUICK_EVALUATIONS, QuickCandidate, Qui
 from viscodesign.inverse.quick_starts import QuickStarts
 from viscodesign.inverse.search_task import SearchTask
 from viscodesign.inverse.tree_graph import INLET, TreeGraph, chain, tree, tree_of
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 
 FEW_GRAPHS = 800
 """Graphs that are all tried."""
-RANKED = 40
-"""Graphs whose numbers are fitted quickly after all were tried."""
-RANKED_AT_ONCE = 8
-"""Number of these between two looks at the clock."""
-FULL_GRAPHS = 6
-"""Graphs that go on to the scene's own model."""
-DIFFERENT = 1.5
-"""Times the tolerance, from which a quick distance is not worth a solution if others are near."""
-MET_SHARE, PLAIN_MET_SHARE = 0.9, 0.1
-"""Parts of the tolerance at which no other graph is solved: where numbers are fitted, and where
-only the right graph comes near."""
+
+
+@dataclass(frozen=True)
+class GraphSearchRules:
+    """How many graphs are looked at, and how closely."""
+
+    ranked: int = 40
+    """Graphs whose numbers are fitted quickly after all were tried."""
+    ranked_at_once: int = 8
+    """Number of these between two looks at the clock."""
+    full_graphs: int = 6
+    """Graphs that go on to the scene's own model."""
+    different: float = 1.5
+    """Times the tolerance, from which a quick distance is not worth a solution if others are
+    near."""
+    met_share: float = 0.9
+    plain_met_share: float = 0.1
+    """Parts of the tolerance at which no other graph is solved: where numbers are fitted, and where
+    only the right graph comes near."""
+
+
+RULES = GraphSearchRules()
 
 
 def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
@@ -68,7 +80,7 @@ def search_designs(task: SearchTask, scene: Scene) -> list[NumberDesign]:
 
 
 def _is_enough(task: SearchTask, found: list[NumberDesign]) -> bool:
-    share = MET_SHARE if task.choice.ranges else PLAIN_MET_SHARE
+    share = RULES.met_share if task.choice.ranges else RULES.plain_met_share
     return bool(found) and min(d.distance.total_m for d in found) < share * task.tolerance_m
 
 
@@ -79,8 +91,8 @@ def _candidates(fit: QuickFit) -> list[QuickCandidate]:
     graphs = list(itertools.islice(_all_graphs(fit), FEW_GRAPHS + 1))
     found = _ranked(fit, graphs) if len(graphs) <= FEW_GRAPHS else GraphEvolution(fit).best()
     best = found[0].away_m
-    near = [one for one in found if one.away_m <= best + DIFFERENT * fit.task.tolerance_m]
-    return near[:FULL_GRAPHS]
+    near = [one for one in found if one.away_m <= best + RULES.different * fit.task.tolerance_m]
+    return near[: RULES.full_graphs]
 
 
 def _all_graphs(fit: QuickFit) -> Iterator[TreeGraph]:
@@ -111,9 +123,9 @@ def _ranked(fit: QuickFit, graphs: list[TreeGraph]) -> list[QuickCandidate]:
         return found
     fitted: list[QuickCandidate] = []
     with graph_trials(fit) as trials:
-        for k in range(0, min(RANKED, len(found)), RANKED_AT_ONCE):
+        for k in range(0, min(RULES.ranked, len(found)), RULES.ranked_at_once):
             if fitted and fit.is_over:
                 break
-            pairs = [(one.graph, one.values) for one in found[k : k + RANKED_AT_ONCE]]
+            pairs = [(one.graph, one.values) for one in found[k : k + RULES.ranked_at_once]]
             fitted += trials.fitted(pairs, QUICK_EVALUATIONS).values()
     return sorted(fitted or found[:1], key=lambda one: one.away_m)

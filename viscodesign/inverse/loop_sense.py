@@ -26,16 +26,26 @@ from viscodesign.inverse.wanted_path import WantedPath
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.scene.scene import Scene
 
-DRAWS, FREQUENCIES, PERIOD_REACH = 24, 7, 300.0
-"""Draws of lengths, periods of each, and how far these reach where none is free."""
-ROUND = 0.2
-"""Area of a loop, over that of a circle of its length, from which it has a sense."""
-LINEAR_AMPLITUDE = 1e-4
-"""Amplitude of the harmonic, relative to the limits: a linear motion."""
-SLOW = 2.0
-"""Shortest period, over that in which the rod swings by itself, at which it follows without."""
-LEAST_AREA = 1e-3
-"""A loop below this part of the largest area of all draws has no sense."""
+
+@dataclass(frozen=True)
+class LoopSenseRules:
+    """When a loop has a sense, and how senses are sought."""
+
+    draws: int = 24
+    frequencies: int = 7
+    period_reach: float = 300.0
+    """Draws of lengths, periods of each, and how far these reach where none is free."""
+    round: float = 0.2
+    """Area of a loop, over that of a circle of its length, from which it has a sense."""
+    linear_amplitude: float = 1e-4
+    """Amplitude of the harmonic, relative to the limits: a linear motion."""
+    slow: float = 2.0
+    """Shortest period, over that in which the rod swings by itself, at which it follows without."""
+    least_area: float = 1e-3
+    """A loop below this part of the largest area of all draws has no sense."""
+
+
+RULES = LoopSenseRules()
 
 
 @dataclass(frozen=True)
@@ -57,7 +67,7 @@ def wrong_sense(wanted: WantedPath, choice: FreeChoice, scene: Scene) -> WrongSe
         or choice.graph != "keep"
         or own is None
         or scene.input is None
-        or roundness < ROUND
+        or roundness < RULES.round
         or _may_swing(choice, scene)
     ):
         return None
@@ -89,7 +99,7 @@ def _may_swing(choice: FreeChoice, scene: Scene) -> bool:
         return False
     heavier = 1 + scene.loads.payload / (EFFECTIVE_MASS * quantities.solid_mass)
     own = 2 * math.pi * quantities.scales.t_s / FIRST_BENDING * math.sqrt(heavier)
-    return _fastest(choice, scene) < SLOW * own
+    return _fastest(choice, scene) < RULES.slow * own
 
 
 def _fastest(choice: FreeChoice, scene: Scene) -> float:
@@ -106,27 +116,27 @@ def _fastest(choice: FreeChoice, scene: Scene) -> float:
 
 def _common_sense(areas: np.ndarray) -> int:
     """The sign of all areas that are not nearly zero; 0 where both occur."""
-    large = areas[np.abs(areas) > LEAST_AREA * np.abs(areas).max(initial=0.0)]
+    large = areas[np.abs(areas) > RULES.least_area * np.abs(areas).max(initial=0.0)]
     return int(np.sign(large[0])) if large.size and np.ptp(np.sign(large)) == 0.0 else 0
 
 
 def _areas(choice: FreeChoice, scene: Scene, graph: TreeGraph) -> Iterator[float]:
     """Signed areas of loops by one small harmonic, with lengths and periods by chance."""
     period = float(scene.period or scene.run.duration)
-    low, high = (period / PERIOD_REACH, period * PERIOD_REACH)
+    low, high = (period / RULES.period_reach, period * RULES.period_reach)
     count = 1
     if choice.harmonics is not None:
         low, high = choice.harmonics.period
         count = choice.harmonics.count
-    size = LINEAR_AMPLITUDE * (choice.harmonics.span if choice.harmonics is not None else 1e4)
+    size = RULES.linear_amplitude * (choice.harmonics.span if choice.harmonics is not None else 1e4)
     drive = {"kind": "harmonics", "period": period, "cosine": [size]}
     probe = scene.replace({"input": drive})
     lengths = [own for own in choice.ranges if own.key.startswith("network.")]
     keys = FreeKeys(probe, ["input.period", *(own.key for own in lengths)])
     motion = QuickMotion(keys, graph)
-    periods = np.geomspace(low / count, high, FREQUENCIES)
+    periods = np.geomspace(low / count, high, RULES.frequencies)
     chance = np.random.default_rng(0)
-    for _ in range(DRAWS if lengths else 1):
+    for _ in range(RULES.draws if lengths else 1):
         values = keys.values
         place = 1
         for own in lengths:

@@ -9,14 +9,26 @@ import numpy as np
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.inverse.arc_rod import ArcRod
 from viscodesign.inverse.quick_fit import QUICK_EVALUATIONS, QuickCandidate, QuickFit
+from viscodesign.lazy_dataclass import dataclass
 
-SIZINGS, MOST_SIZING = 3, 10.0
-"""Times that a start is sized by the path, and by how much at most each time."""
-QUICK_DRAWS, QUICK_STARTS = 80, 16
-SAME_OPTIMUM, ENOUGH_TIMES = 1.01, 4
-"""Fits that come as near as the best, and how many of them end the quick search."""
-FULL_DESIGNS = 3
-"""Fits that go on to the scene's own model."""
+
+@dataclass(frozen=True)
+class QuickStartRules:
+    """How many starts are drawn, and how many of them are tried."""
+
+    sizings: int = 3
+    most_sizing: float = 10.0
+    """Times that a start is sized by the path, and by how much at most each time."""
+    quick_draws: int = 80
+    quick_starts: int = 16
+    same_optimum: float = 1.01
+    enough_times: int = 4
+    """Fits that come as near as the best, and how many of them end the quick search."""
+    full_designs: int = 3
+    """Fits that go on to the scene's own model."""
+
+
+RULES = QuickStartRules()
 
 
 class QuickStarts:
@@ -28,9 +40,9 @@ class QuickStarts:
     def fitted(self) -> list[QuickCandidate]:
         """Fits from several starts: one harmonic of many sizes and periods, and chance."""
         found: list[QuickCandidate] = []
-        first, *drawn = self.drawn(QUICK_DRAWS)
+        first, *drawn = self.drawn(RULES.quick_draws)
         drawn.sort(key=lambda start: self._fit.cost(self._fit.own, start))
-        for start in [*drawn[:2], first, *drawn[2:QUICK_STARTS]]:
+        for start in [*drawn[:2], first, *drawn[2 : RULES.quick_starts]]:
             if found and (self._are_enough(found) or self._fit.is_over):
                 break
             try:
@@ -38,13 +50,13 @@ class QuickStarts:
             except KeyboardInterrupt:
                 break
             self._fit.task.report()
-        return _distinct(found)[:FULL_DESIGNS]
+        return _distinct(found)[: RULES.full_designs]
 
     def _are_enough(self, found: list[QuickCandidate]) -> bool:
         """Whether one is near, or several are as near as the best."""
         best = min(one.away_m for one in found)
-        again = sum(one.away_m < SAME_OPTIMUM * best for one in found)
-        return best < 0.3 * self._fit.task.tolerance_m or again >= ENOUGH_TIMES
+        again = sum(one.away_m < RULES.same_optimum * best for one in found)
+        return best < 0.3 * self._fit.task.tolerance_m or again >= RULES.enough_times
 
     def drawn(self, count: int) -> Iterator[np.ndarray]:
         """The scene's own numbers, then others by chance: high harmonics are small."""
@@ -68,10 +80,12 @@ class QuickStarts:
         amplitudes = [
             k for k, own in enumerate(self._fit.keys.numbers) if own.path[1] in ("cosine", "sine")
         ]
-        for _ in range(SIZINGS):
+        for _ in range(RULES.sizings):
             tip = motion.tip(found)
             way = np.linalg.norm(np.diff(tip, axis=0, append=tip[:1]), axis=1).sum()
-            found[amplitudes] *= min(self._fit.wanted.length / max(float(way), 1e-9), MOST_SIZING)
+            found[amplitudes] *= min(
+                self._fit.wanted.length / max(float(way), 1e-9), RULES.most_sizing
+            )
             found = self._fit.limits.within(found)
         return found
 

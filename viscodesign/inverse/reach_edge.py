@@ -18,17 +18,31 @@ from viscodesign.lazy_dataclass import dataclass
 
 DIRECTIONS, FEW_DIRECTIONS = 192, 36
 """Points of an edge; where each needs linear programs."""
-EDGE_ROUNDS = 3
-"""Times that the edge is moved outwards along its normals, and its points spread again."""
-EDGE_SUBDIVISION, NEAR = 12, 0.1
-"""Points between two of an edge, and the longest move of one, relative to the edge's size."""
-PAST_STEPS, PAST_TIMES, FIRST_TIME = 600, 14.0, 1e-3
-"""Steps of the past, its length in slowest time constants, and its first step in fastest ones."""
-COARSE_SAMPLES, FINE_SAMPLES = 16, 128
-"""Points of the shortest period at which a linear program keeps the limits, and its answer is
-looked at."""
-PERIODS = 6
-"""Periods of harmonics that are tried, from the fastest time constant to beyond the slowest."""
+
+
+@dataclass(frozen=True)
+class EdgeRules:
+    """How finely an edge is sought."""
+
+    edge_rounds: int = 3
+    """Times that the edge is moved outwards along its normals, and its points spread again."""
+    edge_subdivision: int = 12
+    near: float = 0.1
+    """Points between two of an edge, and the longest move of one, relative to the edge's size."""
+    past_steps: int = 600
+    past_times: float = 14.0
+    first_time: float = 1e-3
+    """Steps of the past, its length in slowest time constants, and its first step in fastest
+    ones."""
+    coarse_samples: int = 16
+    fine_samples: int = 128
+    """Points of the shortest period at which a linear program keeps the limits, and its answer is
+    looked at."""
+    periods: int = 6
+    """Periods of harmonics that are tried, from the fastest time constant to beyond the slowest."""
+
+
+RULES = EdgeRules()
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,8 +80,8 @@ class PastInput:
     def of(cls, bellows: LinearBellows, limits: tuple[float, float]) -> PastInput:
         """Step responses of a network to the past of its input."""
         rate, modes = bellows.modes()
-        first, last = FIRST_TIME / rate[-1], PAST_TIMES / rate[0]
-        ages = np.concatenate([[0.0], np.geomspace(first, last, PAST_STEPS)])
+        first, last = RULES.first_time / rate[-1], RULES.past_times / rate[0]
+        ages = np.concatenate([[0.0], np.geomspace(first, last, RULES.past_steps)])
         left = np.exp(-np.outer(ages, rate))
         left[-1] = 0.0  # what was before counts as the last step
         parts = -np.diff(left, axis=0) / rate * (modes.T @ bellows.feed) / bellows.stored
@@ -90,10 +104,10 @@ class HarmonicExtremes:
     def __init__(self, bellows: LinearBellows, limits: tuple[float, float], count: int) -> None:
         self._limits, self._count = limits, count
         rate, _ = bellows.modes()
-        periods = 2 * math.pi * np.geomspace(0.5 / rate[-1], 4.0 / rate[0], PERIODS)
+        periods = 2 * math.pi * np.geomspace(0.5 / rate[-1], 4.0 / rate[0], RULES.periods)
         self._gains = [self._gain(bellows, period) for period in periods]
-        self._levels = self._levels_at(COARSE_SAMPLES * count)
-        self._fine = self._levels_at(FINE_SAMPLES * count)
+        self._levels = self._levels_at(RULES.coarse_samples * count)
+        self._fine = self._levels_at(RULES.fine_samples * count)
 
     def _levels_at(self, samples: int) -> np.ndarray:
         """(samples, 1 + 2 N): the input in a period by mean, cosines and sines."""
@@ -163,7 +177,7 @@ def edge_pressures(
     angle = 2 * math.pi * np.arange(directions) / directions
     across = np.column_stack([np.cos(angle) / sizes[0], np.sin(angle) / sizes[1]])
     found = _spread(rod, np.array([extreme(own @ slopes) for own in across]), directions)
-    for _ in range(EDGE_ROUNDS):
+    for _ in range(RULES.edge_rounds):
         found = _spread(rod, _moved_out(extreme, rod, found), directions)
     # Points that were spread lie between extremes, and so within the edge.
     return _moved_out(extreme, rod, found)
@@ -171,7 +185,7 @@ def edge_pressures(
 
 def _spread(rod: ArcRod, pressures: np.ndarray, directions: int) -> np.ndarray:
     """The same edge by points that are equally far apart along it."""
-    share = np.arange(EDGE_SUBDIVISION)[:, None, None] / EDGE_SUBDIVISION
+    share = np.arange(RULES.edge_subdivision)[:, None, None] / RULES.edge_subdivision
     dense = (1 - share) * pressures + share * np.roll(pressures, -1, axis=0)
     dense = dense.transpose(1, 0, 2).reshape(-1, pressures.shape[1])
     dense = np.concatenate([dense, dense[:1]])
@@ -184,7 +198,7 @@ def _spread(rod: ArcRod, pressures: np.ndarray, directions: int) -> np.ndarray:
 def _moved_out(extreme: Extreme, rod: ArcRod, pressures: np.ndarray) -> np.ndarray:
     """Points of the edge moved a little outwards along its normals, where that can be had."""
     tip, slopes = rod.tip(pressures), rod.slopes(pressures)
-    most = NEAR * float(np.ptp(tip, axis=0).max())
+    most = RULES.near * float(np.ptp(tip, axis=0).max())
     way = np.roll(tip, -1, axis=0) - np.roll(tip, 1, axis=0)
     normal = np.column_stack([way[:, 1], -way[:, 0]])
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from viscodesign.errors import UsageError
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.stand_study import CrouchRow, Fall, StanceRow, StandStudy
 from viscodesign.robot.build_robot import build_robot, with_mass
 from viscodesign.robot.falls import slide, tip_over
@@ -17,27 +18,35 @@ from viscodesign.robot.stance import Stance, UnstableStanceError, stance
 from viscodesign.robot.tip_stiffness import tip_stiffness
 from viscodesign.scene.robot_scene import RobotScene
 
-GAUGES = 8
-"""Rows of the table by gauge pressure, from 0 up."""
-GAUGE_RANGE = 2.0
-"""Largest gauge pressure of the table, over the spec's."""
-LEAST_LARGEST_GAUGE = 140e3
-"""The paper's "140 kPa", if it were gauge [Pa]."""
-PAYLOADS = (0.0, 0.25, 0.5, 0.75)
-"""Payloads, as shares of the weight from which on it sways, beyond the robot's own."""
-HEIGHT_RATIOS = (0.95, 0.93, 0.9, 0.85)
-LOWEST_GAUGE = -0.8
-"""Gauge pressure of the deepest crouch, over the ambient pressure."""
-WEIGHT_GROWTH = 1.25
-WEIGHT_RANGE = 1e3
-"""Least and largest weight that are tried, over the robot's own."""
-NEAR_GROWTH = 1.004
-"""Of the first step away from a weight that other limits point to."""
-SWAY_REL_TOL = 1e-3
-"""Width of the range in which the limit is, over it; its middle is stated."""
+
+@dataclass(frozen=True)
+class StandRules:
+    """Pressures, payloads and heights of a study, and how closely a limit is sought."""
+
+    gauges: int = 8
+    """Rows of the table by gauge pressure, from 0 up."""
+    gauge_range: float = 2.0
+    """Largest gauge pressure of the table, over the spec's."""
+    least_largest_gauge: float = 140e3
+    """The paper's "140 kPa", if it were gauge [Pa]."""
+    payloads: tuple[float, ...] = (0.0, 0.25, 0.5, 0.75)
+    """Payloads, as shares of the weight from which on it sways, beyond the robot's own."""
+    height_ratios: tuple[float, ...] = (0.95, 0.93, 0.9, 0.85)
+    lowest_gauge: float = -0.8
+    """Gauge pressure of the deepest crouch, over the ambient pressure."""
+    weight_growth: float = 1.25
+    weight_range: float = 1e3
+    """Least and largest weight that are tried, over the robot's own."""
+    near_growth: float = 1.004
+    """Of the first step away from a weight that other limits point to."""
+    sway_rel_tol: float = 1e-3
+    """Width of the range in which the limit is, over it; its middle is stated."""
 
 
-def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) -> StandStudy:
+RULES = StandRules()
+
+
+def stand(scene: RobotScene, *, height_ratios: Sequence[float] = RULES.height_ratios) -> StandStudy:
     """How a robot stands: its height, its sway limit, its stiffness, and what a crouch takes.
 
     ``height_ratios``: heights of the legs in a crouch, over that at the spec's gauge pressure.
@@ -47,14 +56,18 @@ def stand(scene: RobotScene, *, height_ratios: Sequence[float] = HEIGHT_RATIOS) 
         raise UsageError(f"crouch: a height ratio is above 0 and below 1; got {wrong[0]:g}")
     statics = _Statics(scene)
     own = statics.own()
-    largest = max(GAUGE_RANGE * scene.gauge_pressure, LEAST_LARGEST_GAUGE)
+    largest = max(RULES.gauge_range * scene.gauge_pressure, RULES.least_largest_gauge)
     room = max(own.sway_limit_n - statics.weight(0.0), 0.0) / statics.gravity
     crouch, pump = statics.crouches(own, height_ratios)
     return StandStudy(
         name=scene.name,
         own=own,
-        by_gauge=statics.rows(np.linspace(0.0, largest, GAUGES).tolist(), scene.robot.payload),
-        by_payload=tuple(statics.row(scene.gauge_pressure, share * room) for share in PAYLOADS),
+        by_gauge=statics.rows(
+            np.linspace(0.0, largest, RULES.gauges).tolist(), scene.robot.payload
+        ),
+        by_payload=tuple(
+            statics.row(scene.gauge_pressure, share * room) for share in RULES.payloads
+        ),
         crouch=crouch,
         pump=pump,
         fall=None if own.stands else statics.fall(),
@@ -137,21 +150,21 @@ class _Statics:
         if self._slide is not None:
             return 0.0
         own = self.model.weight
-        guess, growth = self._pointed_to(gauge), WEIGHT_GROWTH
+        guess, growth = self._pointed_to(gauge), RULES.weight_growth
         if guess:
-            growth = NEAR_GROWTH
+            growth = RULES.near_growth
         low = high = guess or own
         if self._bears(gauge, low):
             while self._bears(gauge, high := low * growth):
-                low, growth = high, min(growth**2, WEIGHT_GROWTH)
-                if high > WEIGHT_RANGE * own:
+                low, growth = high, min(growth**2, RULES.weight_growth)
+                if high > RULES.weight_range * own:
                     return math.inf
         else:
             while not self._bears(gauge, low := high / growth):
-                high, growth = low, min(growth**2, WEIGHT_GROWTH)
-                if low < self._feet_weight() or low < own / WEIGHT_RANGE:
+                high, growth = low, min(growth**2, RULES.weight_growth)
+                if low < self._feet_weight() or low < own / RULES.weight_range:
                     return 0.0
-        while high - low > SWAY_REL_TOL * low:
+        while high - low > RULES.sway_rel_tol * low:
             middle = (low + high) / 2
             low, high = (middle, high) if self._bears(gauge, middle) else (low, middle)
         return (low + high) / 2
@@ -199,7 +212,7 @@ class _Statics:
         def excess(gauge: float) -> float:
             return self._leg_height(_height(self.at(gauge, own.weight_n))) - ratio * full_height
 
-        lowest = LOWEST_GAUGE * self.scene.ambient_pressure
+        lowest = RULES.lowest_gauge * self.scene.ambient_pressure
         try:
             gauge = float(brentq(excess, lowest, own.gauge_pressure_pa, xtol=1e-2))
             drawn = full - _contents(self.at(gauge, own.weight_n))[:, pump]
