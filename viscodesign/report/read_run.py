@@ -26,7 +26,7 @@ from viscodesign.results.channels import (
     TIP_COLUMNS,
     TRAJECTORY,
     Per,
-    channel,
+    channels_of,
 )
 from viscodesign.results.coefficient_band import BAND_COLUMNS, CoefficientBand, UncertainNumber
 from viscodesign.results.findings import (
@@ -41,10 +41,6 @@ from viscodesign.results.trajectory import Accuracy, Cost, Invariants, Trajector
 from viscodesign.scene.reading.read import scene_of
 from viscodesign.scene.scene import Scene
 
-ARRAYS = ("inlet_pressure", "pressure", "flow")
-"""Quantities that are arrays of their own in `trajectory.csv`."""
-MEMBERS = {Per.INLET: "inlets", Per.BELLOW: "bellows", Per.TUBE: "tubes"}
-
 
 def read_run(directory: str | Path) -> Trajectory:
     """The run in a folder that `write_run` has written, to the last digit of its tables.
@@ -57,19 +53,16 @@ def read_run(directory: str | Path) -> Trajectory:
     if not {"metrics", "effects"} <= set(summary):
         raise UsageError(f"{folder / SUMMARY} is not the summary of a run of one actuator")
     text, scene = saved_spec(folder, summary, scene_of, "run")
-    names = RunNames(scene)
     motion, shape = saved_table(folder / TRAJECTORY), saved_table(folder / SHAPE)
     with fitting_files(folder):
+        names = RunNames(scene, _contacts(motion, scene))
         arrays = _arrays(motion, names)
-        contacts = _contacts(motion, names.scene)
-        arrays |= _contact_arrays(motion, contacts)
         axes = _axes(shape, arrays["time"])
         arrays["shape"] = axes.shape
         told = _told(summary) | _band(folder, summary.get("uncertainty"))
     return Trajectory(
         **told,
         **names.of_run(),
-        contacts=contacts,
         arrays=arrays,
         arc=axes.arc,
         shape_every=axes.every,
@@ -82,15 +75,17 @@ class RunNames:
     """What the tables of a run have columns for, from its spec."""
 
     scene: Scene
+    contacts: tuple[str, ...]
 
     def of_run(self) -> dict[str, Any]:
         """What a trajectory holds of its scene."""
-        scene, graph = self.scene, self.scene.graph
+        scene = self.scene
         return {
-            "inlets": tuple(scene.inputs),
-            "bellows": graph.bellows,
-            "tubes": tuple(tube.name for tube in graph.tubes),
-            "junctions": graph.junctions,
+            "inlets": self.members(Per.INLET),
+            "bellows": self.members(Per.BELLOW),
+            "tubes": self.members(Per.TUBE),
+            "junctions": self.members(Per.JUNCTION),
+            "contacts": self.contacts,
             "length": scene.actuator.length,
             "width": scene.actuator.height,
             "section_widths": scene.sections.heights,
@@ -98,22 +93,32 @@ class RunNames:
             "period": scene.period,
         }
 
-    def columns(self, quantity: str) -> list[str]:
-        """The columns of a quantity in `trajectory.csv`."""
-        per = channel(quantity).per
-        if per is Per.RUN or (per is Per.INLET and len(self.scene.inputs) == 1):
-            return [channel(quantity).column()]
-        key = MEMBERS[per]
-        return [channel(quantity).column(member) for member in self.of_run()[key]]
+    def members(self, per: Per) -> tuple[str, ...]:
+        """Names of what a quantity has one value of."""
+        scene, graph = self.scene, self.scene.graph
+        return {
+            Per.INLET: tuple(scene.inputs),
+            Per.BELLOW: graph.bellows,
+            Per.TUBE: tuple(tube.name for tube in graph.tubes),
+            Per.JUNCTION: graph.junctions,
+            Per.CONTACT: self.contacts,
+            Per.SECTION: tuple(str(k + 1) for k in range(graph.sections)),
+        }[per]
 
 
 def _arrays(table: SavedTable, names: RunNames) -> dict[str, np.ndarray]:
-    """The arrays of `trajectory.csv`."""
-    return {
+    """The arrays of `trajectory.csv`: none of parts that the run, or its version, does not have."""
+    known = set(table.names)
+    found = {
         "time": table.columns(["time_s"])[:, 0],
         "tip": table.columns(TIP_COLUMNS),
-        **{name: table.columns(names.columns(name)) for name in ARRAYS},
     }
+    for row in channels_of(TRAJECTORY):
+        columns = row.columns(names)
+        if row.read is None and not known.isdisjoint(columns):
+            values = table.columns(columns)
+            found[row.quantity] = values[:, 0] if row.per is Per.RUN else values
+    return found
 
 
 def _contacts(table: SavedTable, scene: Scene) -> tuple[str, ...]:
@@ -122,16 +127,6 @@ def _contacts(table: SavedTable, scene: Scene) -> tuple[str, ...]:
     if not is_solved or scene.loads.ground is None:
         return ()
     return scene.loads.ground.points(scene.bellows.count // 2)
-
-
-def _contact_arrays(table: SavedTable, contacts: tuple[str, ...]) -> dict[str, np.ndarray]:
-    if not contacts:
-        return {}
-    names = contacts if len(contacts) > 1 else ("",)
-    return {
-        array: table.columns(channel(array).column(name) for name in names)
-        for array in CONTACT_QUANTITIES
-    }
 
 
 @dataclass(frozen=True)

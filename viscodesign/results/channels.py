@@ -54,7 +54,13 @@ UNNAMED_IF_SINGLE = frozenset({Per.INLET, Per.CONTACT})
 """Where there is one inlet or contact alone, its columns do not tell its name."""
 
 
-class NamedArrays(Protocol):
+class WithMembers(Protocol):
+    """What knows the names of the parts of a run."""
+
+    def members(self, per: Per) -> tuple[str, ...]: ...
+
+
+class NamedArrays(WithMembers, Protocol):
     """The arrays of a motion, with the names of what they belong to."""
 
     @property
@@ -67,8 +73,6 @@ class NamedArrays(Protocol):
     def shape_rows(self) -> np.ndarray: ...
 
     def __getitem__(self, quantity: str) -> np.ndarray: ...
-
-    def members(self, per: Per) -> tuple[str, ...]: ...
 
 
 Read = Callable[[NamedArrays, Rows], np.ndarray]
@@ -136,11 +140,11 @@ class Channel:
         """The column of a member: an inlet, a bellow, a tube."""
         return "_".join(part for part in (self.quantity, member, self.unit_words) if part)
 
-    def columns(self, trajectory: NamedArrays) -> list[str]:
+    def columns(self, run: WithMembers) -> list[str]:
         """Its columns in a table of the run, in order."""
         if self.per in (Per.RUN, Per.ARC):
             return [self.column()]
-        members = trajectory.members(self.per)
+        members = run.members(self.per)
         if self.per in UNNAMED_IF_SINGLE and len(members) == 1:
             return [self.column()]
         return [self.column(name) for name in members]

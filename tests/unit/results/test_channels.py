@@ -140,6 +140,7 @@ def test_a_quantity_of_the_solution_is_a_row_and_where_it_is_computed(
     assert run.frame()[names[0]].to_numpy() == pytest.approx(1.2 + 1e-5 * run.pressure[:, 0])
     write_run(run, tmp_path, plots=False)
     assert header(tmp_path / TRAJECTORY)[-4:] == names
+    assert np.array_equal(Trajectory.read(tmp_path)["density"], run["density"])
     assert ("`density_<bellow>_kg_m3`", "rho", "kg/m^3", TRAJECTORY) in channel_table()
 
 
