@@ -13,6 +13,7 @@ from viscodesign.report.charts.compare import frame_about
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.motion_lines import LINE_STYLES
 from viscodesign.report.layout.style import axes_at, head, head_room, picture, shown
+from viscodesign.results.channels import channel
 
 # isort: split
 from matplotlib.lines import Line2D
@@ -128,6 +129,8 @@ def _draw_tips(axes: Axes, plan: PumpPlan) -> None:
             alpha = style.get("alpha")
             axes.plot(*drawn[-1][0], marker="o", ms=4, color=colour, alpha=alpha, zorder=4)
     frame_about(axes, np.concatenate(drawn))
+    down = f"{channel('tip_z').label}, down from the clamp"
+    axes.set(xlabel=channel("tip_x").label, ylabel=down)
     axes.ticklabel_format(style="plain", useOffset=False)
     if plan.actuators:
         _name_paths(axes, dict(zip(plan.actuators, drawn, strict=False)))
