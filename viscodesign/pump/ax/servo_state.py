@@ -70,11 +70,6 @@ def read_servo(board: Board, servo: int) -> ServoState:
     )
 
 
-def position_of(board: Board, servo: int) -> int:
-    """Where a servo is [counts], whatever its error bits say."""
-    return board.get(servo, registers.PRESENT_POSITION)
-
-
 @dataclass(frozen=True)
 class FoundServo:
     """One servo as it was found."""

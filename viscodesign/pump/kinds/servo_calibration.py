@@ -9,7 +9,7 @@ from viscodesign.errors import InterruptedRunError, PumpError, UsageError
 from viscodesign.interrupt import stop_on_signals
 from viscodesign.pump.ax.hold import release
 from viscodesign.pump.ax.servo_pump import ServoPump
-from viscodesign.pump.ax.servo_state import EepromChange, changes, id_change, identify, position_of
+from viscodesign.pump.ax.servo_state import EepromChange, changes, id_change, identify, read_servo
 from viscodesign.pump.consent import Confirm, ShowPosition, require
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest
 from viscodesign.pump.kinds.connection import Connection
@@ -117,7 +117,7 @@ def _by_hand(
     outer, inner, home = (
         by_hand(
             f"servo {servo}: move the plunger {place}, then press Enter",
-            lambda: position_of(link.board, servo),
+            lambda: read_servo(link.board, servo).position,
         )
         for place in ("out as far as it may go", "in as far as it may go", "to its home")
     )

@@ -17,7 +17,7 @@ from viscodesign.pump.ax.hold import HOLD_SPEED, HOLD_TOLERANCE, NOUN
 from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.transactions import NoReplyError
 from viscodesign.pump.ax.servo_pump import ServoPump, speed_register
-from viscodesign.pump.ax.servo_state import position_of, read_servo
+from viscodesign.pump.ax.servo_state import read_servo
 from viscodesign.pump.boards.arbotix import Arbotix
 from viscodesign.pump.play.axis import FinalAxisState
 from viscodesign.pump.play.stream import Stream, wait_for_second_request
@@ -117,7 +117,7 @@ class PosePlayer:
 
     def _refuse_a_real_phantom(self) -> None:
         try:
-            position_of(self.board, self.servos)
+            read_servo(self.board, self.servos)
         except NoReplyError:
             return
         raise PumpError(
