@@ -15,6 +15,8 @@ from viscodesign.storage.atomic_files import write_bytes, write_errors_as_usage
 
 ASSETS = Path(__file__).parent / "assets"
 STYLE = "page.css"
+FRAME, PLAYER = "frame.html", "player.html"
+"""What every page has around its body, and what bodies put at `{{player}}`."""
 
 
 def write_html(path: Path, content: bytes) -> Path:
@@ -29,10 +31,11 @@ def write_html(path: Path, content: bytes) -> Path:
 
 
 def self_contained(template: str, scripts: tuple[str, ...], data: Mapping[str, Any]) -> bytes:
-    """A whole page: a template of `assets` with its style, its scripts in order, and its data.
+    """A whole page: a template of `assets` in the common frame, its scripts in order, and its data.
 
-    Texts of the user's are in the JSON document alone, which the browser never reads as HTML;
-    the policy lets no script and no style run but those of the page.
+    The first line of a template is its title, the others are its body. Texts of the user's
+    are in the JSON document alone, which the browser never reads as HTML; the policy lets no script
+    and no style run but those of the page.
     """
     # `<` would be where a script element may end.
     text = json.dumps(json_ready(dict(data)), separators=(",", ":")).replace("<", "\\u003c")
@@ -49,8 +52,12 @@ def _frame(template: str, scripts: tuple[str, ...]) -> tuple[bytes, bytes]:
         f"default-src 'none'; script-src '{_digest(script)}'; style-src '{_digest(style)}'; "
         "base-uri 'none'; form-action 'none'"
     )
-    text = _asset(template)
-    for mark, part in (("policy", policy), ("style", style), ("script", script)):
+    title, body = _asset(template).split("\n", 1)
+    text = _asset(FRAME)
+    for mark, part in (
+        *(("title", title), ("body", body), ("player", _asset(PLAYER))),
+        *(("policy", policy), ("style", style), ("script", script)),
+    ):
         text = text.replace(f"{{{{{mark}}}}}", part)
     before, after = text.split("{{data}}")
     return before.encode(), after.encode()
