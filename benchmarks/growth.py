@@ -42,7 +42,7 @@ TIME_LIMIT = 240.0
 """Wall time of one point [s]."""
 WARM_RUNS, PATIENCE = 3, 20.0
 """Maximum number of warm solutions, and the time after which none is started [s]."""
-FEWEST_EDGES = 16
+MIN_EDGES = 16
 Record = dict[str, Any]
 
 ARCS = "effects={pressure_distribution: on, others: off}"
@@ -133,7 +133,7 @@ def overrides(family: str, size: int) -> tuple[list[str], int]:
     changes = [DYNAMIC, "loads={gravity: on}"] if dynamic else [ARCS]
     if family.startswith("duration"):
         changes += [SINE, f"run={{duration: {size}, output_interval: 0.05}}"]
-        return changes, FEWEST_EDGES // 8
+        return changes, MIN_EDGES // 8
     if family == "edges":
         return changes, size // 8
     share = 16 / size
@@ -147,7 +147,7 @@ def overrides(family: str, size: int) -> tuple[list[str], int]:
         f"bellows.area_per_moment={1.2e-6 * share!r}",
         f"network.tube_length={0.0375 * share!r}",
     ]
-    return changes, max(1, FEWEST_EDGES // (size // 2))
+    return changes, max(1, MIN_EDGES // (size // 2))
 
 
 def measure(family: str, size: int) -> Record:

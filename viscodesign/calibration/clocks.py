@@ -6,7 +6,7 @@ import numpy as np
 
 from viscodesign.calibration.run_model import RunModel
 
-MOST_GUESSES = 401
+MAX_GUESSES = 401
 LONGEST = 0.25
 """Longest clock offset that is tried, as a part of the recording."""
 BETTER_START_SHARE = 0.9
@@ -24,12 +24,12 @@ def guessed_lateness(model: RunModel, free: np.ndarray, levels: np.ndarray) -> f
     time = model.recording.time
     own = model.own_values
     longest = LONGEST * float(time[-1] - time[0])
-    shifts = np.linspace(-longest, longest, MOST_GUESSES)
+    shifts = np.linspace(-longest, longest, MAX_GUESSES)
     places = np.flatnonzero(model.is_late)
     measured = model.measured[:, places] / levels[places]
     motions = model.at_shifts(free, own, shifts)
     misfits = np.array([_misfit(measured, rows[:, places] / levels[places]) for rows in motions])
-    best, none = int(np.argmin(misfits)), MOST_GUESSES // 2
+    best, none = int(np.argmin(misfits)), MAX_GUESSES // 2
     is_clear = misfits[best] < BETTER_START_SHARE * misfits[none]
     return float(shifts[best]) if is_clear else 0.0
 

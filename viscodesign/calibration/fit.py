@@ -52,7 +52,7 @@ TYPICAL_EVALUATIONS = 60.0
 LOWER = 0.5
 """Fall of the squares on a profile from which the search had not ended at the least: 0.7 standard
 deviations of a number."""
-MOST_RETURNS = 2
+MAX_RETURNS = 2
 """Searches that go on from where a profile has led to."""
 
 
@@ -262,7 +262,7 @@ class _Fitting:
 
     def _with_intervals(self, best: Estimate) -> _FitIntervals:
         """The intervals of an estimate; of a better one where a profile has led to it."""
-        for turn in range(MOST_RETURNS + 1):
+        for turn in range(MAX_RETURNS + 1):
             pattern = pattern_of(best.misfit, best.values)
             pairs = zip(best.misfit.levels, pattern.widening, strict=True)
             widened = best.misfit.with_(levels=[level * factor for level, factor in pairs])
@@ -270,7 +270,7 @@ class _Fitting:
             ranges = ranges_of(widened.models, widened.unknowns)
             profiles = Profiles(widened, spread, ranges, stop)
             numbers = fitted_numbers(widened, spread, profiles, stop)
-            if profiles.lowest.rise > -LOWER or stop.asked or turn == MOST_RETURNS:
+            if profiles.lowest.rise > -LOWER or stop.asked or turn == MAX_RETURNS:
                 break
             best = refined(self.search, best.misfit, profiles.lowest.values, best.status)
         return _FitIntervals(best, pattern, widened, spread, numbers)

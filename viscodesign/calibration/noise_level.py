@@ -12,8 +12,8 @@ NORMAL_MAD = 0.6745
 """Median of the absolute values of a normal distribution, in standard deviations."""
 GROSS_PREDICTION = 5.0
 """Standard deviations from which a prediction error is gross."""
-FEWEST_NEIGHBOURS = 4
-LEAST_REL = 1e-6
+MIN_NEIGHBOURS = 4
+MIN_REL = 1e-6
 """Noise of what has none, relative to its range: digits, at least."""
 
 
@@ -30,7 +30,7 @@ def noise_level(time: np.ndarray, values: np.ndarray) -> float:
         errors = prediction_errors(t, value, order) if len(t) > 2 * order + 2 else np.zeros(0)
         if len(errors):
             levels.append(float(np.median(np.abs(errors))) / NORMAL_MAD)
-    least = LEAST_REL * float(np.ptp(value)) or LEAST_REL
+    least = MIN_REL * float(np.ptp(value)) or MIN_REL
     return max(min(levels, default=0.0), least)
 
 
@@ -43,14 +43,14 @@ def white_level(time: np.ndarray, residuals: np.ndarray) -> float:
     errors = []
     for column in residuals.T:
         known = np.isfinite(column)
-        if known.sum() > FEWEST_NEIGHBOURS:
+        if known.sum() > MIN_NEIGHBOURS:
             errors.append(prediction_errors(time[known], column[known], 1))
     every = np.abs(np.concatenate([np.zeros(0), *errors]))
     if not len(every):
         return np.inf
     level = float(np.median(every)) / NORMAL_MAD
     plain = every[every <= GROSS_PREDICTION * level]
-    return max(float(np.sqrt(np.mean(plain**2))), LEAST_REL)
+    return max(float(np.sqrt(np.mean(plain**2))), MIN_REL)
 
 
 def shared_level(time: np.ndarray, channels: list[np.ndarray]) -> float:

@@ -15,7 +15,7 @@ PATTERN, PATTERN_BY_CHANCE = 1.2, 5.0
 added for few samples, times the root of their number."""
 UNCORRELATED = 0.05
 """Correlation from which rows count as independent."""
-MOST_LAGS = 0.25
+MAX_LAGS = 0.25
 """Longest lag, as a part of the rows."""
 
 
@@ -79,7 +79,7 @@ def _correlation_time(residuals: np.ndarray) -> float:
     """Rows (T, c) that count as one independent row: 1 + 2 times the sum of correlations."""
     filled = np.where(np.isfinite(residuals), residuals, 0.0)
     variance, total = float(np.mean(filled**2)), 1.0
-    for lag in range(1, int(MOST_LAGS * len(filled)) + 1):
+    for lag in range(1, int(MAX_LAGS * len(filled)) + 1):
         correlation = float(np.mean(filled[lag:] * filled[:-lag])) / variance
         if correlation < UNCORRELATED:
             break

@@ -25,9 +25,9 @@ from viscodesign.scene.tables.layout import taken_apart
 from viscodesign.scene.tables.numbers import read_numbers
 from viscodesign.scene.tables.space_markers import TipInSpace, without_markers
 
-FEWEST_ROWS = 10
-MOST_RECORDED_ROWS = 200_000
-MOST_LISTED = 5
+MIN_RECORDED_ROWS = 10
+MAX_RECORDED_ROWS = 200_000
+MAX_LISTED = 5
 """Faults of one kind that a message lists."""
 OVERRIDE = "@"
 
@@ -142,11 +142,11 @@ def _channel(column: RecordedColumn, values: np.ndarray, scene: Scene) -> Record
 
 
 def _check_times(time: np.ndarray, lines: Callable[[], list[int]], file: str) -> None:
-    if len(time) < FEWEST_ROWS or len(time) > MOST_RECORDED_ROWS:
+    if len(time) < MIN_RECORDED_ROWS or len(time) > MAX_RECORDED_ROWS:
         raise SpecError(
             [
                 Fault(
-                    f"has {len(time)} rows; a fit needs {FEWEST_ROWS} to {MOST_RECORDED_ROWS}",
+                    f"has {len(time)} rows; a fit needs {MIN_RECORDED_ROWS} to {MAX_RECORDED_ROWS}",
                     file=file,
                 )
             ]
@@ -162,7 +162,7 @@ def _check_times(time: np.ndarray, lines: Callable[[], list[int]], file: str) ->
             file=file,
             line=numbers[k],
         )
-        for k in back[:MOST_LISTED]
+        for k in back[:MAX_LISTED]
     ]
     raise SpecError(faults)
 
@@ -173,11 +173,11 @@ def _check_channels(channels: Sequence[RecordedChannel], file: str) -> None:
     still = _still_markers(channels)
     for own in channels:
         known = own.values[~np.isnan(own.values)]
-        if len(known) < FEWEST_ROWS:
+        if len(known) < MIN_RECORDED_ROWS:
             faults.append(
                 Fault(
                     f"column '{own.header}' has {len(known)} values, the rest is missing; a fit "
-                    f"needs {FEWEST_ROWS}. Remove the column",
+                    f"needs {MIN_RECORDED_ROWS}. Remove the column",
                     file=file,
                 )
             )
@@ -200,7 +200,7 @@ def _check_places(channels: Sequence[RecordedChannel], length: float, file: str)
     words = [far_words(own, length) for own in values]
     headers = [own.header for own, told in zip(places, words, strict=True) if told]
     if headers:
-        shown = ", ".join(headers[:MOST_LISTED]) + (" ..." if len(headers) > MOST_LISTED else "")
+        shown = ", ".join(headers[:MAX_LISTED]) + (" ..." if len(headers) > MAX_LISTED else "")
         told = next(own for own in words if own)
         message = f"{shown}: {told} Write the unit after the name, such as tip_x_mm"
         raise SpecError([Fault(message, file=file)])

@@ -23,7 +23,7 @@ from viscodesign.studies.all_effects import (
 
 TIMES_PER_ROW = 4
 """Output times between two rows where a clock is unknown, and channels lie between them."""
-MOST_MODEL_TIMES = 4000
+MAX_MODEL_TIMES = 4000
 KEPT_SLOPES = 2
 """Latest derivatives that a model keeps."""
 SAME_ROW_TIME_REL = 1e-9
@@ -134,7 +134,7 @@ class RunModel:
         if not self.clock_is_free:
             apart = np.diff(rows, prepend=-1.0) > SAME_ROW_TIME_REL * rows[-1]
             return np.asarray(rows[apart])
-        count = min(TIMES_PER_ROW * len(rows), MOST_MODEL_TIMES)
+        count = min(TIMES_PER_ROW * len(rows), MAX_MODEL_TIMES)
         return np.linspace(0.0, rows[-1], count + 1)
 
     def _at_rows(self, every: np.ndarray, late: float) -> np.ndarray:

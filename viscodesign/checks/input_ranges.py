@@ -14,7 +14,7 @@ from viscodesign.checks.plausible_ranges import ANY, SYRINGES, PlausibleRange
 from viscodesign.checks.written_numbers import written
 from viscodesign.scene.scene import Scene
 
-LEAST_SHOWN_CYCLES = 0.02
+MIN_SHOWN_CYCLES = 0.02
 """Part of a period that a run shows at least."""
 OUTPUTS_PER_CYCLE = 2.0
 """Outputs that a period has at least, or no table and no picture shows it."""
@@ -34,7 +34,7 @@ TIMES = (1e-3, 1e3, 1e-6, 1e6)
 def input_ranges(scene: Scene) -> Iterator[PlausibleRange]:
     """Ranges of the keys that inputs have, whatever their kinds."""
     duration, interval = scene.run.duration, _between_outputs(scene)
-    longest, shortest = duration / LEAST_SHOWN_CYCLES, OUTPUTS_PER_CYCLE * interval
+    longest, shortest = duration / MIN_SHOWN_CYCLES, OUTPUTS_PER_CYCLE * interval
     for key, unit, low, high in (
         ("frequency", "Hz", 1 / longest, 1 / shortest),
         ("period", "s", shortest, longest),

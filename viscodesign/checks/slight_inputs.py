@@ -9,7 +9,7 @@ from viscodesign.results.findings import Notice
 from viscodesign.scene.inputs.base import Input
 from viscodesign.scene.scene import Scene
 
-LEAST_MOTION = 0.01
+MIN_MOTION = 0.01
 """Motion of the tip, in lengths of the actuator, that inputs are made for."""
 
 
@@ -21,10 +21,10 @@ def slight_inputs(scene: Scene) -> Iterator[Notice]:
     name = max(sizes, key=sizes.__getitem__)
     pressure = sizes[name]
     motion = _motion(scene, pressure)
-    if not 0.0 < motion < LEAST_MOTION:
+    if not 0.0 < motion < MIN_MOTION:
         return
     larger = _motion(scene, 1e3 * pressure)
-    meant = "; are its numbers in another unit?" if larger > LEAST_MOTION else ""
+    meant = "; are its numbers in another unit?" if larger > MIN_MOTION else ""
     yield Notice(
         "slight_input",
         f"{pressure:.4g} Pa in the bellows move the tip by about {100 * motion:.2g} % of the "

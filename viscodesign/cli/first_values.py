@@ -23,7 +23,7 @@ FORMATS = {
     "bellows.area_per_moment": "{:.3g} m^2/(N*m)",
 }
 """Keys that are estimated, and how they are written."""
-MOST_SWELLING, MOST_STRETCH, MOST_TURN, MOST_VACUUM = 0.4, 0.2, 2.0, 0.5
+MAX_SWELLING, MAX_STRETCH, MAX_TURN, MAX_VACUUM = 0.4, 0.2, 2.0, 0.5
 """What the chosen pulse may do: to a bellow's volume, to a section's length, to the whole leg
 [rad], and to the ambient pressure."""
 PULSE = {"input.fall_time": 0.5, "input.rise_time": 4.0, "input.transition": 0.8}
@@ -118,10 +118,10 @@ def pulse(scene: Scene) -> Values:
     b, modulus, sections = scene.bellows, scene.actuator.youngs_modulus, scene.bellows.count / 2
     pitch = scene.actuator.length / sections
     limits = (
-        MOST_SWELLING * b.height * b.width / b.area_per_pressure,
-        MOST_STRETCH * pitch * modulus / (2 * b.extension_per_pressure),
-        MOST_TURN * modulus / (2 * sections * b.angle_per_pressure),
-        MOST_VACUUM * (scene.ambient_pressure + scene.gauge_pressure),
+        MAX_SWELLING * b.height * b.width / b.area_per_pressure,
+        MAX_STRETCH * pitch * modulus / (2 * b.extension_per_pressure),
+        MAX_TURN * modulus / (2 * sections * b.angle_per_pressure),
+        MAX_VACUUM * (scene.ambient_pressure + scene.gauge_pressure),
     )
     pressure = _one_digit(min(limits))
     settling = SceneQuantities(scene).scales.t_net

@@ -17,7 +17,7 @@ from viscodesign.errors import UsageError
 from viscodesign.results.loop_part import LoopPart
 from viscodesign.results.run_comparison import ComparedMotion, PhaseDifference, TipDifference
 
-LEAST_PHASES = 360
+MIN_PHASES = 360
 """Phases of a period at which motions are compared, or more where they have more rows."""
 
 
@@ -79,7 +79,7 @@ def phase_difference(first: ComparedMotion, other: ComparedMotion) -> PhaseDiffe
     loops = [LoopPart.of(m.time, m.period) for m in (first, other)]
     if not all(loop.is_period for loop in loops):
         return None
-    count = max(LEAST_PHASES, *(loop.intervals for loop in loops))
+    count = max(MIN_PHASES, *(loop.intervals for loop in loops))
     phase = np.arange(count) / count
     one, two = (_at_phases(m, phase) for m in (first, other))
     shift, squared = _best_shift(one, two)

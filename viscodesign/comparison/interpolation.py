@@ -10,7 +10,7 @@ from scipy.interpolate import CubicHermiteSpline
 Curve = Callable[[np.ndarray], np.ndarray]
 SAME_TIME_SHARE = 1e-9
 """Times nearer than this, of the whole span, are one."""
-LEAST_SMOOTH_ROWS = 4
+MIN_SMOOTH_ROWS = 4
 """Rows below which a motion is a polyline, and no error can be estimated."""
 
 
@@ -22,7 +22,7 @@ def motion_curve(time: np.ndarray, tip: np.ndarray) -> Curve:
     """
     if len(time) == 1:
         return lambda at: np.repeat(tip, len(at), axis=0)
-    if len(time) < LEAST_SMOOTH_ROWS:
+    if len(time) < MIN_SMOOTH_ROWS:
         return lambda at: np.column_stack([np.interp(at, time, values) for values in tip.T])
     cubic = CubicHermiteSpline(time, tip, np.gradient(tip, time, axis=0))
     return lambda at: np.asarray(cubic(np.clip(at, time[0], time[-1])))
@@ -39,7 +39,7 @@ def interpolation_error(time: np.ndarray, tip: np.ndarray) -> float:
     Every second row is left out and interpolated: the error of intervals twice as long, which is
     several times too large where the motion is smooth, and less so at its corners.
     """
-    if len(time) < 2 * LEAST_SMOOTH_ROWS:
+    if len(time) < 2 * MIN_SMOOTH_ROWS:
         return float(np.hypot(*np.diff(tip, axis=0).T).max(initial=0.0)) / 2
     errors = []
     for first in (0, 1):

@@ -20,7 +20,7 @@ from viscodesign.scene.tables.columns import WantedColumn
 from viscodesign.scene.tables.layout import taken_apart
 from viscodesign.units import Length, Time
 
-MOST_MEASURED_ROWS = 5_000_000
+MAX_MEASURED_ROWS = 5_000_000
 _LENGTH = get_args(Length)[1]
 COLUMNS = (
     WantedColumn("time", get_args(Time)[1], ("t",)),
@@ -65,7 +65,7 @@ def _table_rows(file: Path) -> np.ndarray:
             Path(),
             COLUMNS,
             _time_faults,
-            most_rows=MOST_MEASURED_ROWS,
+            most_rows=MAX_MEASURED_ROWS,
             gaps=True,
         )
     except PydanticCustomError as error:

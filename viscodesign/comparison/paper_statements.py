@@ -16,7 +16,7 @@ from viscodesign.results.trajectory import Trajectory
 Outcome = tuple[bool | None, str]
 """Whether it holds (None: errors hide it), and the numbers in words."""
 Judge = Callable[..., Outcome]
-LEAST_M = 1e-9
+MIN_M = 1e-9
 """Length below which there is rounding alone."""
 CLEARLY_RAD = math.radians(10.0)
 """Tip angles that differ by more than this are called significantly different."""
@@ -69,7 +69,7 @@ def checks_of(figure: int, runs: Mapping[str, Trajectory]) -> tuple[PaperCheck, 
 
 
 def _mm(length: float) -> str:
-    return f"{1e3 * length:.3g} mm" if abs(length) >= LEAST_M else "0 mm"
+    return f"{1e3 * length:.3g} mm" if abs(length) >= MIN_M else "0 mm"
 
 
 def _error(run: Trajectory) -> float:
@@ -160,7 +160,7 @@ def _bends(side: int) -> Judge:
 def _lengthens(sense: int) -> Judge:
     def judge(run: Trajectory) -> Outcome:
         x, z = _steady_move(run)
-        straight = abs(x) <= max(_error(run), LEAST_M)
+        straight = abs(x) <= max(_error(run), MIN_M)
         word = "longer" if z > 0 else "shorter"
         return straight and sense * z > _error(run), f"{_mm(abs(z))} {word}, {_mm(abs(x))} aside"
 

@@ -11,7 +11,7 @@ SHIFT_TIMES = 400
 """Times at which two motions are compared for one shift."""
 TRIED = 201
 """Shifts at equal distances, before the best of them is refined."""
-LEAST_OVERLAP = 0.5
+MIN_OVERLAP = 0.5
 """Part of the shorter motion that a shift has to leave in common."""
 REFINEMENTS = 3
 
@@ -21,7 +21,7 @@ def time_shift(first: ComparedMotion, other: ComparedMotion) -> TimeShift | None
     spans = [float(np.ptp(m.time)) for m in (first, other)]
     if min(spans) <= 0.0 or min(len(first.time), len(other.time)) < 3:
         return None
-    least = LEAST_OVERLAP * min(spans)
+    least = MIN_OVERLAP * min(spans)
     low, high = other.time[0] - first.time[-1] + least, other.time[-1] - first.time[0] - least
     curves = [motion_curve(m.time, m.tip) for m in (first, other)]
     ends = [(m.time[0], m.time[-1]) for m in (first, other)]

@@ -15,10 +15,10 @@ Outputs = dict[str, Any]
 BatchRow = tuple[Outputs | None, str]
 """Outputs of a row, if it has any, and its status."""
 COMPLETE = "complete"
-MOST_TOGETHER = 32
+MAX_TOGETHER = 32
 """Rows that are solved side by side: more share what Python costs no further, and leave the
 processor's caches."""
-MOST_VALUES_TOGETHER = 4_000_000
+MAX_VALUES_TOGETHER = 4_000_000
 """Unknowns at all output times of these rows."""
 Row = TypeVar("Row")
 
@@ -60,7 +60,7 @@ def in_parts(rows: Sequence[Row], numbers: int, workers: int | None) -> list[Seq
 
     ``numbers``: unknowns at all output times of a row.
     """
-    most = max(1, min(MOST_TOGETHER, MOST_VALUES_TOGETHER // max(numbers, 1)))
+    most = max(1, min(MAX_TOGETHER, MAX_VALUES_TOGETHER // max(numbers, 1)))
     count = max(-(-len(rows) // most), min(workers or 1, len(rows)))
     ends = [k * len(rows) // count for k in range(count + 1)] if count else []
     return [rows[i:j] for i, j in itertools.pairwise(ends)]

@@ -20,7 +20,7 @@ SAME_NUMBER_REL = 1e-9
 """Relative difference of two values that counts as none where a number may not change."""
 EQUAL_DEPTH = 20
 """Operations up to which two formulas are compared."""
-MOST_PAIRS = 200
+MAX_PAIRS = 200
 """Pairs beyond which the numbers that were compared must all keep their order: sorting n numbers
 compares n log n pairs, of which n - 1 imply the others."""
 
@@ -107,7 +107,7 @@ class Tape:
         every = self._noted.values()
         orders = [condition for condition in every if not condition.is_equality]
         kept = [condition for condition in every if condition.is_equality or condition.is_tight]
-        kept += _chained(orders) if len(orders) > MOST_PAIRS else orders
+        kept += _chained(orders) if len(orders) > MAX_PAIRS else orders
         return ca.vertcat(SX(0, 1), *(condition.margin for condition in kept))
 
     def parting(self, symbols: SX, values: np.ndarray) -> list[int]:

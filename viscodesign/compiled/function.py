@@ -55,7 +55,7 @@ from viscodesign.storage.lru_cache import LruCache
 
 LARGEST_TOLERANCE = 1.0
 """Largest tolerance of the steps, relative to the unknowns' sizes."""
-MOST_COMPILED_EDGES = 64
+MAX_COMPILED_EDGES = 64
 """Largest number of edges of a section."""
 PERIOD_CHANGE = 1e-5
 """Relative change of a number of an input by which periods are differenced."""
@@ -156,7 +156,7 @@ class CompiledFunction(KeyedFunction[SceneKeys]):
                 f"tolerance: must be above 0 and below {LARGEST_TOLERANCE:g}; got {tolerance!r}"
             )
         if edges_per_section is not None:
-            whole_number(edges_per_section, "edges_per_section", 1, MOST_COMPILED_EDGES)
+            whole_number(edges_per_section, "edges_per_section", 1, MAX_COMPILED_EDGES)
         if one_period:
             scene = over_one_period(scene)
         self._made_of = (scene, free, outputs, tolerance, edges_per_section)

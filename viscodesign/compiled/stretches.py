@@ -24,7 +24,7 @@ CONSISTENT = 1e-12
 ROUND_OFF_CORRECTION = 1e-8
 """Correction that is round-off of stiff equations if it no longer gets smaller."""
 MAX_STAGE_CORRECTIONS = 12
-MOST_WITH_STAGES = 500
+MAX_WITH_STAGES = 500
 """Unknowns up to which the stages of all steps are recorded: 36 kB a step."""
 
 
@@ -136,7 +136,7 @@ class Stretches:
             time=time,
             size=steps.first_size(size, edges[-1] - time),
         )
-        has_stages = steps.assembly.unknowns <= MOST_WITH_STAGES
+        has_stages = steps.assembly.unknowns <= MAX_WITH_STAGES
         record = StepRecord(has_stages=has_stages) if recorded else None
         rest = np.append(piece, 1.0)
         columns = self._march(problem, steps, state, rest, edges, record, taken)

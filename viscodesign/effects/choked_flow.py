@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from viscodesign.postprocess.motion import Motion
     from viscodesign.solve.problem import Problem
 
-LEAST_RATIO = 0.02
+MIN_RATIO = 0.02
 """Absolute over ambient pressure below which an estimate takes no gas to be thinner."""
 
 
@@ -100,7 +100,7 @@ class ChokedFlow(Effect):
         """Squared Mach numbers of flows (..., T, Q) [m3/s] at the densities of slow laminar flow
         (T, Q) [1]."""
         ambient = self.quantities.scene.ambient_pressure
-        ratio = np.maximum(1 + self.quantities.slow_tube_pressures / ambient, LEAST_RATIO)
+        ratio = np.maximum(1 + self.quantities.slow_tube_pressures / ambient, MIN_RATIO)
         coefficient = np.array(list(self.coefficients.values()))
         return np.asarray(choking.mach_squared(flow, ratio, ambient, self.exponent, coefficient))
 

@@ -13,7 +13,7 @@ from viscodesign.estimate.term import EstimateTerm
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
-MOST_BELLOWS_ESTIMATED = 96
+MAX_BELLOWS_ESTIMATED = 96
 """Bellows beyond which an estimate would take too long: then weights alone decide."""
 
 NUMBERS_AT_ONCE = 45_000
@@ -81,7 +81,7 @@ class TipDisplacements:
 
         So it is of a scene that is too large for that, or has several rods.
         """
-        is_large = len(self._quantities.graph.bellows) > MOST_BELLOWS_ESTIMATED
+        is_large = len(self._quantities.graph.bellows) > MAX_BELLOWS_ESTIMATED
         return is_large or bool(self._quantities.body.members)
 
     def _of(self, names: Names) -> MotionEstimate:

@@ -18,7 +18,7 @@ LARGEST_LOAD_TURN = 3.0
 LARGEST_SHEAR = 1.0
 """Angle by which a load may shear one piece [rad]."""
 LOAD_ROUNDS = 2
-LEAST_STRETCH = 0.05
+MIN_STRETCH = 0.05
 TINY = 1e-30
 
 
@@ -186,7 +186,7 @@ class LoadEstimates:
 
 def _unloaded(curvature: np.ndarray, stretch: np.ndarray, length: float) -> Axes:
     """The axes of pieces with these total strains (S, T, K), none of them from loads."""
-    stretch = np.maximum(stretch, LEAST_STRETCH)
+    stretch = np.maximum(stretch, MIN_STRETCH)
     half_turn = curvature * (length / 2)
     middle_turn = 2 * np.cumsum(half_turn, axis=2) - half_turn
     # The sine of an angle over the angle, also at zero.

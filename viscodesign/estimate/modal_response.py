@@ -185,7 +185,7 @@ class _SecondOrder:
 
 def _swinging(filters: _SecondOrder) -> np.ndarray:
     """Those with a pair of complex poles, of which one tells the other."""
-    root = np.maximum(np.sqrt(-filters.square), LEAST_ROOT)
+    root = np.maximum(np.sqrt(-filters.square), MIN_ROOT)
     found = filters.of_pole((1j * root - 1) / (2 * filters.delay))
     return np.asarray(found.imag * _wide(2 / root, filters.drive))
 
@@ -193,7 +193,7 @@ def _swinging(filters: _SecondOrder) -> np.ndarray:
 def _creeping(filters: _SecondOrder) -> np.ndarray:
     """Those with two real poles."""
     delay = filters.delay
-    root = np.maximum(np.sqrt(filters.square), LEAST_ROOT)
+    root = np.maximum(np.sqrt(filters.square), MIN_ROOT)
     fast = (-1 - root) / (2 * delay)
     # The slow root by Vieta: the difference would lose its digits.
     slow = filters.rate / (delay * fast)
@@ -201,7 +201,7 @@ def _creeping(filters: _SecondOrder) -> np.ndarray:
     return np.asarray((late - early) * _wide(1 / (delay * (slow - fast)), filters.drive))
 
 
-LEAST_ROOT = 1e-6
+MIN_ROOT = 1e-6
 """Distance at which equal poles are held apart, relative to their size."""
 
 

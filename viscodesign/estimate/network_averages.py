@@ -18,9 +18,9 @@ AVERAGING_ROUNDS = 6
 """Rounds in which means over the motion converge at most, to a few thousandths."""
 SETTLED = 3e-4
 """Change of a pressure in a round, relative to the swing, after which there is no other round."""
-LEAST_PRESSURE = 0.02
+MIN_PRESSURE = 0.02
 """Absolute pressure, relative to the ambient, below which a linear network is not followed."""
-LEAST_VOLUME = 0.02
+MIN_VOLUME = 0.02
 """The same for a bellow's volume, relative to that at rest."""
 
 
@@ -135,7 +135,7 @@ class _Averages:
     def _absolute(self, pressure: np.ndarray) -> np.ndarray:
         """Absolute pressures; a linear network knows no vacuum [Pa]."""
         ambient = self._setting.ambient
-        return np.maximum(ambient + pressure, LEAST_PRESSURE * ambient)
+        return np.maximum(ambient + pressure, MIN_PRESSURE * ambient)
 
     def _yield(self, pressure: np.ndarray) -> None:
         """Volume per pressure of every bellow, over its own range of pressures (S, T, B)."""
@@ -148,7 +148,7 @@ class _Averages:
         if not self._fluids:
             return
         volume = setting.rest_volume + self._bellow(pressure)[0]
-        volume = np.maximum(volume, LEAST_VOLUME * setting.rest_volume)[:, 1:]
+        volume = np.maximum(volume, MIN_VOLUME * setting.rest_volume)[:, 1:]
         moved = np.abs(np.diff(pressure, axis=1)) + 1e-9 * setting.swing
         share = moved / np.sum(moved, axis=1, keepdims=True)
         for fluid, rows in self._fluids:

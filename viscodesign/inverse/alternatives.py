@@ -14,7 +14,7 @@ from viscodesign.scene.reading.write import resolved_yaml
 from viscodesign.scene.scene import Scene
 from viscodesign.scene.spec_part import copied
 
-MOST_ALTERNATIVES = 8
+MAX_ALTERNATIVES = 8
 WORSE_FIT = 10.0
 """Multiple of the best distance beyond which a design is not an alternative."""
 
@@ -30,7 +30,7 @@ def alternatives(
         if own.distance.total_m <= near and own.distance.strays <= designs[0].distance.strays
     ]
     best = [own for own in found if not any(_beats(other, own) for other in found)]
-    return tuple(sorted(best, key=lambda own: own.rms_m)[:MOST_ALTERNATIVES])
+    return tuple(sorted(best, key=lambda own: own.rms_m)[:MAX_ALTERNATIVES])
 
 
 def with_modes_of(effects: EffectsChoice, scene: Scene) -> Scene:

@@ -32,7 +32,7 @@ from viscodesign.studies.parallel_rows import available_cores
 
 CONFIRM_SHARE = 0.85
 """Part of the budget that the search may take: the rest confirms."""
-MOST_CONFIRMATIONS = 3
+MAX_CONFIRMATIONS = 3
 
 
 def design(
@@ -147,7 +147,7 @@ def _designed(task: SearchTask, scene: Scene) -> PathDesign:
     """Search, confirm, and go on with the effects of the run where the search lacked some."""
     effects = scene.effects
     posed = scene
-    for _ in range(MOST_CONFIRMATIONS):
+    for _ in range(MAX_CONFIRMATIONS):
         try:
             designs = search_designs(task, posed)
         except KeyboardInterrupt:

@@ -11,7 +11,7 @@ import numpy as np
 from viscodesign.errors import Fault, SpecError, described, did_you_mean
 from viscodesign.inverse.free_range import FreeRange, bounds
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.scene.inputs.harmonics import MOST_HARMONICS, HarmonicsInput
+from viscodesign.scene.inputs.harmonics import MAX_HARMONICS, HarmonicsInput
 from viscodesign.scene.scene import Scene
 from viscodesign.studies.key_values import read_values
 
@@ -50,9 +50,9 @@ class HarmonicChoice:
             if key not in KEYS:
                 raise SpecError.plain(f"'{key}' is no such key{did_you_mean(key, KEYS)}")
         count = given["harmonics"]
-        if type(count) is not int or not 1 <= count <= MOST_HARMONICS:
+        if type(count) is not int or not 1 <= count <= MAX_HARMONICS:
             raise SpecError.plain(
-                f"harmonics: must be a whole number from 1 to {MOST_HARMONICS}; "
+                f"harmonics: must be a whole number from 1 to {MAX_HARMONICS}; "
                 f"got {described(count)}"
             )
         for key in ("period", "limits"):

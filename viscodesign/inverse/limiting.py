@@ -10,7 +10,7 @@ from viscodesign.inverse.confirmation import Confirmation
 from viscodesign.inverse.number_search import NumberDesign
 from viscodesign.inverse.search_task import SearchTask
 
-MOST_NAMES = 4
+MAX_NAMES = 4
 
 
 def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | None) -> str:
@@ -25,8 +25,8 @@ def limiting_reason(task: SearchTask, best: NumberDesign, run: Confirmation | No
     elif best.status == "unfinished":
         parts.append("its evaluations are used up; go on with its spec.yaml as `spec`")
     if best.at_bounds:
-        shown = ", ".join(best.at_bounds[:MOST_NAMES])
-        more = len(best.at_bounds) - MOST_NAMES
+        shown = ", ".join(best.at_bounds[:MAX_NAMES])
+        more = len(best.at_bounds) - MAX_NAMES
         parts.append(f"at their bounds: {shown}" + (f" and {more} more" if more > 0 else ""))
     elif best.status == "converged" and best.names:
         parts.append("no bound is active: these numbers can do no better, others must be free")

@@ -38,7 +38,7 @@ from viscodesign.studies.least_squares import (
     least_squares,
 )
 
-MOST_ROUNDS = 3
+MAX_ROUNDS = 3
 """Choices of effects in one search."""
 ENOUGH_SHARE = 0.1
 """Part of the tolerance at which a descent has found the path and no other start is tried."""
@@ -93,11 +93,11 @@ def search_numbers(
     values = keys.values if start is None else start
     function = _first_function(task, keys, ranges.starts(values, LIVELY_DRAWS, task.seed))
     limits = limits_of(task, keys)
-    for turn in range(MOST_ROUNDS):
+    for turn in range(MAX_ROUNDS):
         model = CompiledTip(function, task.wanted.is_free_loop)
         residuals = PathResiduals(model, task.wanted, limits, allowed_m=task.tolerance_m)
         fit = _fit(task, residuals, ranges, function.values, graph, several_starts and not turn)
-        is_last = turn == MOST_ROUNDS - 1 or (fit.status == "unfinished" and task.is_over)
+        is_last = turn == MAX_ROUNDS - 1 or (fit.status == "unfinished" and task.is_over)
         if is_last or function.judge(fit.values).suits or task.is_over:
             return _designs_of(task, model, fit, ranges, limits)
         function = _function(task, function.scene(fit.values))

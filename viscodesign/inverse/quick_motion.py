@@ -25,7 +25,7 @@ from viscodesign.scene.spec_part import KeyPath
 
 PHASES = 64
 """Samples of a period."""
-MOST_QUICK_TIMES = 241
+MAX_QUICK_TIMES = 241
 """Samples of a run with free timing."""
 POWERS = {"length": 1, "tube_length": 1, "radius": -4, "tube_radius": -4, "viscosity": 1}
 """With which a resistance goes with a number."""
@@ -229,9 +229,7 @@ class QuickMotion:
         if self._times is not None:
             return self._times
         own = scene.run.output_times_array()
-        return (
-            own if len(own) <= MOST_QUICK_TIMES else np.linspace(own[0], own[-1], MOST_QUICK_TIMES)
-        )
+        return own if len(own) <= MAX_QUICK_TIMES else np.linspace(own[0], own[-1], MAX_QUICK_TIMES)
 
     def _followed(
         self,

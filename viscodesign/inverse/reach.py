@@ -29,7 +29,7 @@ from viscodesign.inverse.reach_point import reach_point
 from viscodesign.inverse.tree_graph import sizes_of, tree_of, with_tree
 from viscodesign.results.reach_study import ReachStudy
 from viscodesign.scene.far_places import far_words
-from viscodesign.scene.inputs.harmonics import MOST_HARMONICS
+from viscodesign.scene.inputs.harmonics import MAX_HARMONICS
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.simulate import simulate
 
@@ -61,8 +61,8 @@ def reach(
         raise SpecError.plain("reach needs a spec with one `input` that is a pressure")
     low, high = limits or scene.input.extremes(scene.run.duration)
     _check_limits(scene, low, high)
-    if harmonics is not None and not 1 <= harmonics <= MOST_HARMONICS:
-        raise UsageError(f"harmonics: must be from 1 to {MOST_HARMONICS}; got {harmonics}")
+    if harmonics is not None and not 1 <= harmonics <= MAX_HARMONICS:
+        raise UsageError(f"harmonics: must be from 1 to {MAX_HARMONICS}; got {harmonics}")
     if time is not None and at is None:
         raise UsageError("time: needs a point to be at, given by --at (at=(x, z) in Python)")
     rod = ArcRod.of(SceneQuantities(scene))

@@ -23,10 +23,10 @@ TIME = WantedColumn("time", get_args(Time)[1], ("t",))
 LENGTH = get_args(Length)[1]
 CLOSED_SHARE = 0.02
 """A distance between a path's ends below this part of its length closes it."""
-MOST_WANTED_ROWS = 50_000
+MAX_WANTED_ROWS = 50_000
 SPACED_POINTS = 96
 """Points of a path whose timing is free."""
-MOST_LINE = 480
+MAX_LINE = 480
 """Corners of the line from which found points are measured."""
 Timing = Literal["free", "given"]
 
@@ -110,7 +110,7 @@ def _values(spec: PathSpec, folder: Path) -> np.ndarray:
     def check(first: np.ndarray) -> Iterator[tuple[int, str]]:
         return _time_faults(first) if has_time else iter(())
 
-    found = table_of_file(given, folder, columns, check, most_rows=MOST_WANTED_ROWS).values
+    found = table_of_file(given, folder, columns, check, most_rows=MAX_WANTED_ROWS).values
     blank = np.full((len(found), 0 if has_time else 1), np.nan)
     return np.concatenate([blank, found], axis=1)
 
@@ -183,7 +183,7 @@ def _path(spec: PathSpec, values: np.ndarray) -> WantedPath:
         points = points[:-1]
     way = np.concatenate([points, points[:1]]) if closed else points
     spaced = equally_spaced(way, SPACED_POINTS, closed=closed)
-    line = way if len(way) <= MOST_LINE else equally_spaced(way, MOST_LINE, closed=False)
+    line = way if len(way) <= MAX_LINE else equally_spaced(way, MAX_LINE, closed=False)
     return WantedPath(spaced, None, closed, timing, spec.sense == "any", line)
 
 

@@ -11,7 +11,7 @@ from viscodesign.errors import UsageError
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.arc_shape import arc_nodes
 from viscodesign.model.chain_symbols import ChainSymbols
-from viscodesign.model.node_masses import FEWEST_EDGES
+from viscodesign.model.node_masses import MIN_EDGES
 from viscodesign.model.rod import MINIMUM_EDGES, Body, RodDiscretisation, RodParameters, Values
 from viscodesign.model.step_geometry import StepGeometry
 
@@ -42,11 +42,11 @@ class Chain(RodDiscretisation):
     """
 
     def __post_init__(self) -> None:
-        if self.edges < FEWEST_EDGES:
-            least = math.ceil(FEWEST_EDGES / self.body.sections)
+        if self.edges < MIN_EDGES:
+            least = math.ceil(MIN_EDGES / self.body.sections)
             raise UsageError(
                 f"edges_per_section: {self.edges_per_section} in each of {self.body.sections} "
-                f"sections makes {self.edges} edges, and a rod needs at least {FEWEST_EDGES}; "
+                f"sections makes {self.edges} edges, and a rod needs at least {MIN_EDGES}; "
                 f"use {least} or more"
             )
 

@@ -28,7 +28,7 @@ from viscodesign.native.tape import OPERATIONS, OperationTape
 
 Kept = TypeVar("Kept")
 
-MOST_KEPT_BYTES = 16 * 2**20
+MAX_KEPT_BYTES = 16 * 2**20
 """Bytes of a function that is still kept: beyond, reading it is hardly faster than making it."""
 FORMULA_COMPRESSION = 1
 """Level of zlib: a seventh of the size for 2 ms a megabyte."""
@@ -84,7 +84,7 @@ class FormulaStore:
                 pass  # whatever it is, it was not written here
         made = make()
         packed = pack(made)
-        if packed is not None and len(packed) <= MOST_KEPT_BYTES:
+        if packed is not None and len(packed) <= MAX_KEPT_BYTES:
             keep(parts, zlib.compress(packed, FORMULA_COMPRESSION))
         return made
 

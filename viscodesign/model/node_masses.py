@@ -13,7 +13,7 @@ GREGORY_END_WEIGHTS = (3 / 8, 7 / 6, 23 / 24)
 Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 25.4 (end
 corrections of the trapezoidal rule).
 """
-FEWEST_EDGES = len(GREGORY_END_WEIGHTS)
+MIN_EDGES = len(GREGORY_END_WEIGHTS)
 """Edges that the rule needs."""
 
 

@@ -11,7 +11,7 @@ from viscodesign.physics import gas
 
 CHOKING_MACH = 0.8
 """Mach number near which a gas in a tube goes no faster, whatever drives it."""
-LEAST_MACH = 1e-7
+MIN_MACH = 1e-7
 """Mach number at ambient density below which the pressure of choking is constant: a root must
 have a slope at rest. That pressure is then no more than 0.1 Pa."""
 
@@ -48,7 +48,7 @@ def choking_ratio(
 
     Where `mach_squared` is one; no gas leaves a tube at a lower pressure. Arguments as there.
     """
-    squared = coefficient * flow**2 / (exponent * ambient) + LEAST_MACH**2
+    squared = coefficient * flow**2 / (exponent * ambient) + MIN_MACH**2
     if exponent == 1.0:
         return functions.sqrt(squared)
     return squared ** (exponent / (exponent + 1))

@@ -22,7 +22,7 @@ from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.deferred_arrays import DeferredArrays
 from viscodesign.storage.disk_arrays import ArrayStore, GrowingArray, NoRoomError, blocks
 
-MOST_WAITING = 500_000
+MAX_WAITING = 500_000
 """Numbers of outputs that wait in memory until shapes or balances are asked for."""
 KEPT_OUTPUTS = ("inlet_pressure", "pressure", "volume", "junction_pressure")
 """Outputs that become part of a motion unchanged."""
@@ -174,7 +174,7 @@ class _MotionReader:
     def _is_whole(self, outputs: Outputs) -> bool:
         """Whether a block is all of a short run, and can wait in memory."""
         is_all = outputs.begin == 0 and outputs.end == self._solution.reached
-        return is_all and sum(v.size for v in outputs.values.values()) <= MOST_WAITING
+        return is_all and sum(v.size for v in outputs.values.values()) <= MAX_WAITING
 
     def _block(self, outputs: Outputs, end: int) -> SolvedEdges:
         """A block's own edges up to ``end``, for the balances."""

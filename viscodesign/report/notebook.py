@@ -15,9 +15,9 @@ from viscodesign.scene.scene import Scene
 
 Rows = Iterable[tuple[str, str]]
 """What something is, and its value, in words."""
-MOST_SHOWN = 200
+MAX_SHOWN = 200
 """Characters of a key's value: a table of measured rows is not listed."""
-MOST_PATH_POINTS = 400
+MAX_PATH_POINTS = 400
 """Points of a path that is drawn."""
 THUMBNAIL_SIDE = 180
 """Longer side of the picture [px]."""
@@ -39,7 +39,7 @@ def tip_svg(trajectory: Trajectory) -> str:
 
     Drawn in the colour of the text around it, so that it is seen on a light and a dark page.
     """
-    points = trajectory.tip[:: max(1, len(trajectory.tip) // MOST_PATH_POINTS), :2]
+    points = trajectory.tip[:: max(1, len(trajectory.tip) // MAX_PATH_POINTS), :2]
     if not len(points):
         return ""
     low, high = points.min(axis=0), points.max(axis=0)
@@ -81,7 +81,7 @@ def _rows(keys: dict[str, Any], above: str = "") -> Rows:
             yield from _rows(value, f"{above}{key}.")
         else:
             text = str(value)
-            short = text if len(text) <= MOST_SHOWN else f"{text[: MOST_SHOWN - 4]} ..."
+            short = text if len(text) <= MAX_SHOWN else f"{text[: MAX_SHOWN - 4]} ..."
             yield f"{above}{key}", short
 
 

@@ -24,7 +24,7 @@ from viscodesign.results.run_comparison import Comparison
 from viscodesign.results.sensitivity_study import AXES, SensitivityStudy
 from viscodesign.results.sweep_table import Sweep, value_words
 
-MOST_LISTED_NUMBERS = 20
+MAX_LISTED_NUMBERS = 20
 """Numbers that are listed; tables and files have all."""
 CSS_DPI = 96
 
@@ -97,7 +97,7 @@ def _answer(found: PathDesign) -> Iterator[tuple[str, str]]:
         yield "distance, simulated", f"{rms} rms, at most {worst} (allowed {allowed} rms)"
     if found.violations:
         yield "validity", outside_words(found.violations)
-    for key, value in list(found.parameters.items())[:MOST_LISTED_NUMBERS]:
+    for key, value in list(found.parameters.items())[:MAX_LISTED_NUMBERS]:
         yield key, value_words(float(f"{value:.4g}"), found.units.get(key))
     yield from _more(len(found.parameters), "numbers")
 
@@ -109,7 +109,7 @@ def _sweep(sweep: Sweep) -> StudyView:
     rows = [("status", sweep.status), *_extremes(sweep)]
     rows += [
         (f"row {own.row} failed", f"{sweep.words(own.row)}: {own.failure}")
-        for own in sweep.failures[:MOST_LISTED_NUMBERS]
+        for own in sweep.failures[:MAX_LISTED_NUMBERS]
     ]
     rows += _more(len(sweep.failures), "rows failed")
     draw = functools.partial(draw_sweep, sweep, METRIC_NAMES[0]) if sweep.results else None
@@ -149,7 +149,7 @@ def _places(study: ReachStudy) -> Iterator[tuple[str, str]]:
             yield f"area, {words}", f"{1e4 * area:.3g} cm²"
     if study.edge_error_m is not None:
         yield "edge, simulated", f"off by at most {millimetres(study.edge_error_m)}"
-    for why in study.edge_failures[:MOST_LISTED_NUMBERS]:
+    for why in study.edge_failures[:MAX_LISTED_NUMBERS]:
         yield "edge, not verified", why
     point = study.point
     if point is not None and point.is_verified:
@@ -174,7 +174,7 @@ def _shifts(study: SensitivityStudy) -> Iterator[tuple[str, str]]:
         told = (f"{axis} {millimetres(own)}" for axis, own in zip(AXES, largest, strict=True))
         yield "standard deviation, at most", ", ".join(told)
     sizes, shares = study.sizes.max(axis=0, initial=0.0), study.shares
-    for k in study.order[:MOST_LISTED_NUMBERS]:
+    for k in study.order[:MAX_LISTED_NUMBERS]:
         known = study.numbers[k].deviation is not None
         share = f", {100 * shares[k]:.3g} % of the variance" if known and study.has_band else ""
         by = "by its tolerance" if study.has_band else "by one percent"
@@ -187,7 +187,7 @@ def _fit(found: Fit) -> StudyView:
     from viscodesign.report.charts.fit import draw_fit
 
     rows: list[tuple[str, str]] = [("status", found.status)]
-    rows += [(own.key, _interval(own)) for own in found.numbers[:MOST_LISTED_NUMBERS]]
+    rows += [(own.key, _interval(own)) for own in found.numbers[:MAX_LISTED_NUMBERS]]
     rows += _more(len(found.numbers), "numbers")
     rows += [("known together", f"{own.formula} = {own.value:.4g}") for own in found.products]
     rows += [("warning", words) for words in found.warnings]
@@ -205,7 +205,7 @@ def _interval(own: FittedNumber) -> str:
 
 def _more(count: int, what: str) -> list[tuple[str, str]]:
     return (
-        [("", f"and {count - MOST_LISTED_NUMBERS} more {what}")]
-        if count > MOST_LISTED_NUMBERS
+        [("", f"and {count - MAX_LISTED_NUMBERS} more {what}")]
+        if count > MAX_LISTED_NUMBERS
         else []
     )

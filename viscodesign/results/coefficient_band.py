@@ -22,7 +22,7 @@ STILL_M = 1e-12
 """Half-width below which a band has none [m]."""
 STILL_WORDS = "none: no stated number moves the tip"
 """What is said of such a band in place of its width."""
-LEAST_ASPECT = 1e-3
+MIN_ASPECT = 1e-3
 """Width over length below which an ellipse is drawn as if it had that width."""
 NO_SHARED_BAND = (
     "a band of the coefficients (`uncertainty`) is not supported of actuators that share fluid"
@@ -146,7 +146,7 @@ def swept_ellipses(
     pairs = np.stack([spread[:-1], spread[1:]]) if len(rows) > 1 else np.stack([spread, spread])
     ends = np.stack([tip[rows[:-1]], tip[rows[1:]]]) if len(rows) > 1 else tip[None, rows][[0, 0]]
     sizes, axes = np.linalg.eigh(pairs.mean(axis=0))
-    sizes = np.sqrt(np.maximum(sizes, LEAST_ASPECT**2 * sizes[:, 1:] + STILL_M**2))
+    sizes = np.sqrt(np.maximum(sizes, MIN_ASPECT**2 * sizes[:, 1:] + STILL_M**2))
     angle = np.linspace(0.0, 2 * math.pi, points, endpoint=False)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     normal = np.einsum("nij,nj,pj->npi", axes, 1 / sizes, circle)

@@ -28,7 +28,7 @@ from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.disk_arrays import blocks
 
 RIGHT_COLUMN, LEFT_COLUMN = 0, 1
-LEAST_LAG_OUTPUTS = 3
+MIN_LAG_OUTPUTS = 3
 """Output times of a loop below which two columns have no lag."""
 
 
@@ -242,7 +242,7 @@ METRICS: tuple[Metric, ...] = (
         "where a column's pressure is constant or the two are not alike",
         _lag_s,
         _lag_gradient,
-        LEAST_LAG_OUTPUTS,
+        MIN_LAG_OUTPUTS,
     ),
 )
 """In the order of `summary.json`."""

@@ -17,7 +17,7 @@ from viscodesign.scene.loads import STANDARD_GRAVITY
 from viscodesign.scene.robot import Robot, RobotLeg
 from viscodesign.scene.robot_scene import RobotScene
 
-LEAST_WIDTH_RATIO = 0.1
+MIN_WIDTH_RATIO = 0.1
 """Width of a body whose hips stand in line, relative to its length."""
 
 
@@ -72,7 +72,7 @@ def _body(robot: Robot) -> RigidBody:
     """An even slab between the hips, with the payload at its centre of mass."""
     loaded, mass = body_masses(robot)
     across = [leg.y for leg in robot.legs.values()]
-    width = max(max(across) - min(across), LEAST_WIDTH_RATIO * robot.body_length)
+    width = max(max(across) - min(across), MIN_WIDTH_RATIO * robot.body_length)
     return RigidBody(loaded, mass * robot.body_length**2 / 12, mass * width**2 / 12)
 
 

@@ -19,7 +19,7 @@ from viscodesign.robot.time_step import RobotState, Step, StepSolver
 
 FROZEN = 1e12
 """Damping time over the step by which a leg keeps its strains."""
-MOST_HALVINGS = 6
+MAX_HALVINGS = 6
 """Halvings of a step that does not converge."""
 Progress = Callable[[float], None]
 """Told the fraction done."""
@@ -116,7 +116,7 @@ def advanced(solver: StepSolver, now: RobotState, begin: np.ndarray, end: np.nda
     try:
         return [Step(solver, now, solver.advance(now, end), begin, end)]
     except SolveError:
-        if solver.halvings == MOST_HALVINGS:
+        if solver.halvings == MAX_HALVINGS:
             raise
     finer, middle = solver.halved(), (begin + end) / 2
     first = advanced(finer, now, begin, middle)

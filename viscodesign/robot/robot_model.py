@@ -39,10 +39,10 @@ class Feet:
     @property
     def inertia(self) -> float:
         """Inertia of a ball about its centre [kg m2], with a floor for a point."""
-        return 0.4 * self.mass * max(self.radius, LEAST_GYRATION) ** 2
+        return 0.4 * self.mass * max(self.radius, MIN_GYRATION) ** 2
 
 
-LEAST_GYRATION = 1e-3
+MIN_GYRATION = 1e-3
 """Radius whose inertia a smaller foot has: a point could turn at any speed [m]."""
 
 

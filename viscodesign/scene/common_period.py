@@ -9,7 +9,7 @@ from viscodesign.scene.inputs.base import Input
 
 SAME_PERIOD_REL_TOL = 1e-9
 """Difference of two periods that counts as none."""
-MOST_PERIODS = 24
+MAX_COMMON_PERIODS = 24
 """Periods of the slowest input within which all others have to meet."""
 
 
@@ -24,7 +24,7 @@ def common_period(inputs: Iterable[Input]) -> float | None:
     if not known or len(known) < len(periods):
         return None
     longest = max(known)
-    for count in range(1, MOST_PERIODS + 1):
+    for count in range(1, MAX_COMMON_PERIODS + 1):
         if all(_is_whole(count * longest / period) for period in known):
             return count * longest
     return None
@@ -47,8 +47,8 @@ def no_period(inputs: Mapping[str, Input]) -> str:
         )
     periods = ", ".join(f"'{name}' {found.period:.6g} s" for name, found in moving.items())
     return (
-        f"the periods ({periods}) do not meet within {MOST_PERIODS} of the longest. Make each a "
-        "simple fraction of the longest, or use run.start: equilibrium"
+        f"the periods ({periods}) do not meet within {MAX_COMMON_PERIODS} of the longest. Make "
+        "each a simple fraction of the longest, or use run.start: equilibrium"
     )
 
 

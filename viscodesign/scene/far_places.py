@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-MOST_LENGTHS = 10.0
+MAX_LENGTHS = 10.0
 """Distance from the clamp, in lengths of the actuator, that none of them reaches: elastomers of
 bellows stretch by some ten percent."""
 
@@ -15,7 +15,7 @@ def far_words(points: np.ndarray, length: float) -> str:
     NaN where a place is not known. Empty where all may be right.
     """
     far = np.nan_to_num(np.linalg.norm(points, axis=1)).max(initial=0.0)
-    if far <= MOST_LENGTHS * length:
+    if far <= MAX_LENGTHS * length:
         return ""
     return (
         f"{1e3 * far:.4g} mm from the clamp is {far / length:.3g} times the actuator's length of "

@@ -37,7 +37,7 @@ DEFAULT_ACCURACY = 0.005
 """Default accuracy, as a part of the actuator's length."""
 _DEVICE = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\..*)?", re.IGNORECASE)
 """Names of Windows devices, which are files in every folder, whatever stands behind a dot."""
-LEAST_ACCURACY = 1e-7
+MIN_ACCURACY = 1e-7
 """The smallest that a spec may ask for, in lengths of the actuator."""
 
 
@@ -61,7 +61,7 @@ Baseline = Annotated[
     GaugePressure, Field(description="Baseline gauge pressure, to which the input adds")
 ]
 Ambient = Annotated[AbsolutePressure, Field(gt=0, description="Absolute ambient pressure")]
-Accuracy = Annotated[Fraction, Field(ge=LEAST_ACCURACY, le=0.2)]
+Accuracy = Annotated[Fraction, Field(ge=MIN_ACCURACY, le=0.2)]
 
 
 @dataclass(frozen=True)

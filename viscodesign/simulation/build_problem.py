@@ -126,7 +126,7 @@ def assemble(
     return system
 
 
-LEAST_FILLING = 1e-10
+MIN_FILLING = 1e-10
 """Part of its rest volume by which the pressures of a run fill a bellow at least: the volume is
 known to round-off, and with it the pressure."""
 
@@ -134,7 +134,7 @@ known to round-off, and with it the pressure."""
 def sizes_of(quantities: SceneQuantities) -> Sizes:
     """By which the unknowns are scaled."""
     law = quantities.bellow
-    least = LEAST_FILLING * law.rest_volume / law.compliance
+    least = MIN_FILLING * law.rest_volume / law.compliance
     return Sizes(
         pressure=max(quantities.swing, least),
         time=quantities.scales.t_s,
@@ -164,7 +164,7 @@ def wide_tubes(quantities: SceneQuantities) -> frozenset[str]:
 INEXTENSIBLE = 30.0
 """Stiffness along the axis over what the accuracy can tell from infinite: a rod that is stiffer
 only makes its equations harder to solve."""
-MOST_STIFFENED = 1e4
+MAX_STIFFENED = 1e4
 """The same for the bending of a section that is stiffer than the others: steel in silicone."""
 
 
@@ -186,7 +186,7 @@ def _resolvable(quantities: SceneQuantities, body: Body) -> Body:
     most = INEXTENSIBLE / quantities.accuracy * max(bending, pull)
     varied = body.varied
     if varied is not None:
-        stiffest = np.maximum(INEXTENSIBLE / quantities.accuracy, MOST_STIFFENED)
+        stiffest = np.maximum(INEXTENSIBLE / quantities.accuracy, MAX_STIFFENED)
         varied = replace(
             varied,
             bending_stiffness=np.minimum(

@@ -8,7 +8,7 @@ import numpy as np
 
 from viscodesign.results.findings import Notice
 from viscodesign.results.trajectory import Accuracy, Trajectory
-from viscodesign.scene.whole_spec import LEAST_ACCURACY
+from viscodesign.scene.whole_spec import MIN_ACCURACY
 from viscodesign.simulation.error_control import ERROR_CONTROL, Verifier
 from viscodesign.storage.disk_arrays import blocks
 
@@ -44,7 +44,7 @@ def _unresolved_motion(found: Trajectory, accuracy: Accuracy, is_driven: bool) -
         f"{1e3 * size:.3g} mm: neither the tip nor pressures and flows are resolved; "
         + (
             f"set `accuracy` to {enough:.2g} % or less"
-            if enough >= 100 * LEAST_ACCURACY
+            if enough >= 100 * MIN_ACCURACY
             else "the input is too small for any accuracy"
         ),
         "tip",

@@ -14,7 +14,7 @@ from viscodesign.solve.transient import integrate
 from viscodesign.storage.disk_arrays import ArrayStore
 from viscodesign.storage.distinct import distinct
 
-LEAST_ROWS = 20
+MIN_ROWS_TO_EVENT = 20
 """Outputs before an event from which they show the way there."""
 ROWS_TO_EVENT = 50
 """Outputs that a run with fewer gets, up to the event."""
@@ -28,7 +28,7 @@ def with_path_to_event(run: Run, store: ArrayStore) -> Run:
     It is solved again up to there, which takes no longer than the first time.
     """
     failure = run.motion.failure
-    if not isinstance(failure, EventError) or len(run.motion.time) >= LEAST_ROWS:
+    if not isinstance(failure, EventError) or len(run.motion.time) >= MIN_ROWS_TO_EVENT:
         return run
     begin, settings = run.solution.beginning, run.settings
     problem = replace(run.problem, schedule=_denser(run.problem.schedule, failure.time_s))

@@ -18,7 +18,7 @@ import numpy as np
 
 from viscodesign.errors import OutputError
 
-MOST_BYTES_IN_MEMORY = 8 * 2**20
+MAX_BYTES_IN_MEMORY = 8 * 2**20
 """Bytes up to which an array stays in memory."""
 DISK_ROWS = 4096
 """Rows that are processed at once."""
@@ -36,7 +36,7 @@ class ArrayStore:
     bytes up to which an array needs no file.
     """
 
-    def __init__(self, folder: Path | None = None, in_memory: int = MOST_BYTES_IN_MEMORY) -> None:
+    def __init__(self, folder: Path | None = None, in_memory: int = MAX_BYTES_IN_MEMORY) -> None:
         self.folder = folder
         self.in_memory = in_memory
 

@@ -13,7 +13,7 @@ from viscodesign.errors import SpecError
 from viscodesign.studies.key_values import refused
 from viscodesign.studies.swept_keys import SweptKey
 
-MOST_DESIGNS = 1_000_000
+MAX_DESIGNS = 1_000_000
 """Designs of one table."""
 Design = tuple[Any, ...]
 """One value per key: a number in SI, or a setting as it was given."""
@@ -23,10 +23,10 @@ def grid(keys: Sequence[SweptKey]) -> list[Design]:
     """Every combination of the keys' values; the last key varies fastest."""
     values = [key.values.grid() for key in keys]
     count = math.prod(map(len, values))
-    if count > MOST_DESIGNS:
+    if count > MAX_DESIGNS:
         sizes = " * ".join(str(len(own)) for own in values)
         raise SpecError.plain(
-            f"{sizes} = {count:,} combinations are more than {MOST_DESIGNS:,}; take fewer values, "
+            f"{sizes} = {count:,} combinations are more than {MAX_DESIGNS:,}; take fewer values, "
             "or draw designs with --sample N"
         )
     return list(itertools.product(*values))
@@ -37,8 +37,8 @@ def latin_hypercube(keys: Sequence[SweptKey], count: int, seed: int) -> list[Des
 
     A list of values is drawn in equal parts. The same seed draws the same designs.
     """
-    if not 1 <= count <= MOST_DESIGNS:
-        raise SpecError.plain(f"sample: must be from 1 to {MOST_DESIGNS:,} designs; got {count}")
+    if not 1 <= count <= MAX_DESIGNS:
+        raise SpecError.plain(f"sample: must be from 1 to {MAX_DESIGNS:,} designs; got {count}")
     for key in keys:
         if key.values.count is not None:
             message = f"a sample has no grid: write {key.name}=low..high"

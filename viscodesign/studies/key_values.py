@@ -17,7 +17,7 @@ from viscodesign.values.grammar import GrammarError, parse_value_text
 
 RANGE = re.compile(r"\s*(?P<low>[+-]?\.?\d.*?)\s*\.\.\s*(?P<high>[^:]*?)\s*(?P<tail>(?::[^:]*)*)")
 LOG = "log"
-MOST_VALUES = 1_000_000
+MAX_VALUES = 1_000_000
 """Values of one range."""
 FORMS = "write KEY=a,b,c or KEY=low..high:n, with :log for equal ratios"
 
@@ -149,10 +149,10 @@ def _range(key: str, unit: str | None, low: str, high: str, tail: str) -> KeyVal
 
 
 def _count(key: str, text: str) -> int:
-    if not text.isascii() or not text.isdigit() or not 1 <= int(text) <= MOST_VALUES:
+    if not text.isascii() or not text.isdigit() or not 1 <= int(text) <= MAX_VALUES:
         raise refused(
             key,
-            f"the number of values must be a whole number from 1 to {MOST_VALUES:,}; got '{text}'",
+            f"the number of values must be a whole number from 1 to {MAX_VALUES:,}; got '{text}'",
         )
     return int(text)
 

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from viscodesign.compiled.conditions import MOST_PAIRS, Tape
+from viscodesign.compiled.conditions import MAX_PAIRS, Tape
 from viscodesign.compiled.traced import formula_of, free_numbers, matrix_of, value_of
 from viscodesign.physics import bellow, tube
 
@@ -104,7 +104,7 @@ def test_sorted_arrays_need_a_linear_count_of_conditions() -> None:
     times = np.array([(37 * k) % count * a for k in range(count)])
     ordered = np.unique(times)
     assert [value_of(t) for t in ordered] == [2.0 * k for k in range(count)]
-    assert MOST_PAIRS < tape.margins().numel() < 3 * count
+    assert MAX_PAIRS < tape.margins().numel() < 3 * count
     assert holds(tape, symbols, [0.01])
     assert not holds(tape, symbols, [-0.01])
 

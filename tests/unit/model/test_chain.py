@@ -9,7 +9,7 @@ from viscodesign.effects.select import select_effects
 from viscodesign.errors import UsageError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.model.chain import Chain
-from viscodesign.model.node_masses import FEWEST_EDGES
+from viscodesign.model.node_masses import MIN_EDGES
 from viscodesign.model.rod import Body
 from viscodesign.simulation.build_problem import Settings, build
 
@@ -22,7 +22,7 @@ def test_a_mesh_of_too_few_edges_is_refused_with_the_least_one(
     words = rf"edges_per_section: {edges} in each of {sections} .*at least 3; use {least} or more"
     with pytest.raises(UsageError, match=words):
         Chain(body, edges)
-    assert Chain(body, least).edges >= FEWEST_EDGES
+    assert Chain(body, least).edges >= MIN_EDGES
 
 
 def test_settings_too_coarse_for_a_short_actuator_are_refused() -> None:

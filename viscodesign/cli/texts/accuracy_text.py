@@ -17,7 +17,7 @@ from viscodesign.cli.texts.layout import (
 from viscodesign.results.accuracy_points import Point, tolerance_words
 from viscodesign.results.accuracy_study import AccuracyStudy
 
-MOST_NOTES = 5
+MAX_NOTES = 5
 NOTABLE_TIME_SHARE = 0.1
 """Share of a time below which a difference is timing noise."""
 
@@ -131,9 +131,9 @@ def _note_lines(study: AccuracyStudy) -> list[str]:
     if not study.notes:
         return []
     lines = ["notes"]
-    for note in study.notes[:MOST_NOTES]:
+    for note in study.notes[:MAX_NOTES]:
         lines += wrap(note, "  ", "    ")
-    return [*lines, *and_more(len(study.notes), MOST_NOTES, "accuracy.json")]
+    return [*lines, *and_more(len(study.notes), MAX_NOTES, "accuracy.json")]
 
 
 def _best(study: AccuracyStudy) -> Point:

@@ -11,15 +11,15 @@ from viscodesign.cli.texts.sweep_text import UNITS
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.run_comparison import ComparedMotion, Comparison
 
-MOST_BESIDE = 4
+MAX_BESIDE = 4
 """Motions in one table; more are in several."""
 
 
 def comparison_lines(found: Comparison, folder: Path, files: Sequence[Path]) -> list[str]:
     """Motions, metrics, differences, what was assumed, files."""
     lines: list[str] = []
-    for k in range(0, len(found.motions), MOST_BESIDE):
-        lines += table(list(_side_by_side(found.motions[k : k + MOST_BESIDE])), indent="")
+    for k in range(0, len(found.motions), MAX_BESIDE):
+        lines += table(list(_side_by_side(found.motions[k : k + MAX_BESIDE])), indent="")
         lines.append("")
     for difference in found.differences:
         first, *more = difference.sentences

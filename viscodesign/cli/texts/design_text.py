@@ -9,7 +9,7 @@ from viscodesign.cli.texts.layout import and_more, number, seconds, table
 from viscodesign.results.findings import outside_words
 from viscodesign.results.path_design import PathDesign
 
-MOST_DESIGN_ROWS = 24
+MAX_DESIGN_ROWS = 24
 
 
 def design_lines(found: PathDesign, folder: Path, files: Sequence[Path]) -> list[str]:
@@ -65,8 +65,8 @@ def _numbers(found: PathDesign) -> list[str]:
     if found.graph and not found.parameters:
         return ["", f"  graph  {', '.join(found.graph)}"]
     rows = [(key, number(value, _unit(found, key))) for key, value in found.parameters.items()]
-    tail = and_more(len(rows), MOST_DESIGN_ROWS, "result.json")
-    return ["", *table(rows[:MOST_DESIGN_ROWS]), *tail] if rows else []
+    tail = and_more(len(rows), MAX_DESIGN_ROWS, "result.json")
+    return ["", *table(rows[:MAX_DESIGN_ROWS]), *tail] if rows else []
 
 
 def _mm(length_m: float | None) -> str:

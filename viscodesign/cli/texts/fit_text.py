@@ -10,19 +10,19 @@ from viscodesign.results.channels import PICTURE_UNITS
 from viscodesign.results.fit_result import Experiment, Fit, FittedNumber, FittedRun
 from viscodesign.results.sweep_table import value_words
 
-MOST_FIT_ROWS = 40
+MAX_FIT_ROWS = 40
 
 
 def fit_lines(found: Fit, folder: Path, files: Sequence[Path]) -> list[str]:
     """Numbers, what cannot be told, recordings, files."""
     known = sum(own.is_identified for own in found.numbers)
     head = f"{found.name}: {known} of {len(found.numbers)} numbers identified"
-    rows = [_number_row(own) for own in found.numbers[:MOST_FIT_ROWS]]
+    rows = [_number_row(own) for own in found.numbers[:MAX_FIT_ROWS]]
     return [
         head,
         *(line for text in mismatch_texts(found) for line in wrap(text, "  ", "    ")),
         *table(rows),
-        *and_more(len(found.numbers), MOST_FIT_ROWS, "fit.json"),
+        *and_more(len(found.numbers), MAX_FIT_ROWS, "fit.json"),
         *(line for text in undetermined(found) for line in wrap(text, "  ", "    ")),
         "",
         *table(

@@ -28,7 +28,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
         ("both errors", both_errors(trajectory)),
         *_contributors(trajectory),
         *_outside(trajectory),
-        *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MOST_RETRIES]),
+        *(("retry", _retry(attempt)) for attempt in trajectory.ladder[:MAX_RETRIES]),
         *_decisions(trajectory),
         files_row(folder, files),
     ]
@@ -39,7 +39,7 @@ def summary_lines(trajectory: Trajectory, folder: Path, files: Sequence[Path]) -
     ]
 
 
-MOST_RETRIES = 6
+MAX_RETRIES = 6
 """Retries that are printed; all of them are in `summary.json`."""
 
 
@@ -114,9 +114,9 @@ def _tip_error(trajectory: Trajectory) -> str:
     return ", ".join(filter(None, (stated, trajectory.error_qualifier)))
 
 
-MOST_CONTRIBUTORS = 4
+MAX_CONTRIBUTORS = 4
 """Numbers that are named as the largest contributions to the uncertainty."""
-LEAST_NAMED_SHARE = 0.005
+MIN_NAMED_SHARE = 0.005
 """Share of the variance below which a number is not named."""
 
 
@@ -143,7 +143,7 @@ def _contributors(trajectory: Trajectory) -> Iterator[tuple[str, str]]:
     band = trajectory.uncertainty
     if band is None:
         return
-    named = [n for n in band.numbers[:MOST_CONTRIBUTORS] if n.share >= LEAST_NAMED_SHARE]
+    named = [n for n in band.numbers[:MAX_CONTRIBUTORS] if n.share >= MIN_NAMED_SHARE]
     told = [f"{n.key} {100 * n.share:.0f} %{' (assumed)' if n.assumed else ''}" for n in named] or [
         "none moves the tip"
     ]

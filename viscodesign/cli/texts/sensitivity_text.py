@@ -9,7 +9,7 @@ from viscodesign.cli.texts.layout import and_more, files_row, number, percentage
 from viscodesign.results.sensitivity_study import AXES, SampledVariance, SensitivityStudy
 from viscodesign.results.sweep_table import value_words
 
-MOST_SENSITIVITY_ROWS = 20
+MAX_SENSITIVITY_ROWS = 20
 NOTABLE_DIFFERENCE = 0.05
 """A sampled standard deviation that differs more from that of the band is worth a warning."""
 
@@ -20,7 +20,7 @@ def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Pat
     return [
         f"{study.name}: {head}",
         *table(list(_numbers(study))),
-        *and_more(len(study.numbers), MOST_SENSITIVITY_ROWS, "sensitivity.csv"),
+        *and_more(len(study.numbers), MAX_SENSITIVITY_ROWS, "sensitivity.csv"),
         "",
         *table(
             [
@@ -37,7 +37,7 @@ def sensitivity_lines(study: SensitivityStudy, folder: Path, files: Sequence[Pat
 
 def _numbers(study: SensitivityStudy) -> Iterator[tuple[str, str, str, str]]:
     per_percent = study.mm_per_percent
-    for k in study.order[:MOST_SENSITIVITY_ROWS]:
+    for k in study.order[:MAX_SENSITIVITY_ROWS]:
         own, moved = study.numbers[k], per_percent[:, :, k]
         row = int((moved**2).sum(axis=1).argmax())
         words = ", ".join(f"{a} {moved[row, c]:+.3g}" for c, a in enumerate(AXES))

@@ -12,7 +12,7 @@ from viscodesign.cli.texts.layout import and_more, files_row, number, seconds, t
 from viscodesign.results.metrics import METRIC_NAMES
 from viscodesign.results.sweep_table import COMPLETE, Sweep
 
-MOST_FAILURES, MOST_KEYS = 5, 4
+MAX_FAILURES, MAX_KEYS = 5, 4
 UNITS = {"_m": ("mm", 1e3), "_m2": ("cm^2", 1e4), "_s": ("s", 1.0)}
 
 
@@ -39,8 +39,8 @@ def sweep_lines(sweep: Sweep, folder: Path, files: Sequence[Path]) -> list[str]:
 
 def _keys(sweep: Sweep) -> str:
     names = [column.key for column in sweep.columns]
-    more = f" and {len(names) - MOST_KEYS} more keys" if len(names) > MOST_KEYS else ""
-    return ", ".join(names[:MOST_KEYS]) + more
+    more = f" and {len(names) - MAX_KEYS} more keys" if len(names) > MAX_KEYS else ""
+    return ", ".join(names[:MAX_KEYS]) + more
 
 
 def _counts(sweep: Sweep, solved: int) -> str:
@@ -91,8 +91,8 @@ def _ranges(sweep: Sweep) -> Iterator[tuple[str, str, str, str]]:
 
 def _failures(sweep: Sweep) -> list[str]:
     lines = ["failed rows"] if sweep.failures else []
-    for found in sweep.failures[:MOST_FAILURES]:
+    for found in sweep.failures[:MAX_FAILURES]:
         lines += wrap(
-            f"{found.row}: {sweep.words(found.row, MOST_KEYS)}: {found.failure}", "  ", "    "
+            f"{found.row}: {sweep.words(found.row, MAX_KEYS)}: {found.failure}", "  ", "    "
         )
-    return [*lines, *and_more(len(sweep.failures), MOST_FAILURES, "sweep.csv")]
+    return [*lines, *and_more(len(sweep.failures), MAX_FAILURES, "sweep.csv")]

@@ -30,7 +30,7 @@ from viscodesign.native.tape import OperationTape, tape_of
 from viscodesign.storage.cached_property import cached_property
 from viscodesign.storage.lru_cache import LruCache
 
-FEWEST_IN_LANES = 3
+MIN_IN_LANES = 3
 """Elements of a kind from which it pays to treat several at once."""
 
 
@@ -221,7 +221,7 @@ def _derived(kind: Elements) -> tuple[ca.Function, ...]:
 
 def _lanes(kind: Elements) -> int:
     """How many elements of a kind are treated at once."""
-    return LANES if len(kind.rows) >= FEWEST_IN_LANES else 1
+    return LANES if len(kind.rows) >= MIN_IN_LANES else 1
 
 
 def _pattern_bytes(kind: Elements) -> bytes:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 MARGIN_DECADES = 0.12
 """Space around the outermost points, in decades."""
-LEAST_DECADES = 1.0
+MIN_DECADES = 1.0
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def window_of(study: AccuracyStudy) -> Window:
 
 def _ends(logarithms: Sequence[float]) -> tuple[float, float]:
     low, high = min(logarithms) - MARGIN_DECADES, max(logarithms) + MARGIN_DECADES
-    wider = max(LEAST_DECADES - (high - low), 0.0) / 2
+    wider = max(MIN_DECADES - (high - low), 0.0) / 2
     return low - wider, high + wider
 
 

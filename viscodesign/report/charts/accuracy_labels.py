@@ -14,7 +14,7 @@ from viscodesign.results.accuracy_study import AccuracyStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MOST_LABELS = 9
+MAX_LABELS = 9
 LABEL_LETTERS, NOTE_LETTERS = 7.0, 7.5
 """Font sizes [pt]."""
 NOTE_ENDS = (0.985, 0.85, 0.7, 0.55, 0.4, 0.25)
@@ -28,7 +28,7 @@ def draw_labels(
 ) -> None:
     """Label the points of the front by their settings, the recommended one in bold."""
     best = study.recommended
-    labelled = spread(study.front, MOST_LABELS)
+    labelled = spread(study.front, MAX_LABELS)
     if best is not None:
         labelled = [best, *(point for point in labelled if point != best)]
     others = [window.place(point) for point in study.points if point not in labelled]

@@ -14,7 +14,7 @@ from viscodesign.results.trajectory import Trajectory
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MOST_ELLIPSES = 600
+MAX_ELLIPSES = 600
 
 
 def band_corners(trajectory: Trajectory) -> np.ndarray:
@@ -38,6 +38,6 @@ def draw_band(axes: Axes, trajectory: Trajectory) -> None:
 
 def draw_ellipses(axes: Axes, tip: np.ndarray, band: CoefficientBand) -> None:
     """Draw what 95 % ellipses [mm] about a tip (T, 2) [m] sweep."""
-    around = [1e3 * own for own in swept_ellipses(tip, band, MOST_ELLIPSES)]
+    around = [1e3 * own for own in swept_ellipses(tip, band, MAX_ELLIPSES)]
     colour = look().band
     axes.add_collection(PolyCollection(around, facecolors=colour, edgecolors=colour, zorder=2))

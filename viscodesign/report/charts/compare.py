@@ -45,8 +45,8 @@ class ComparisonLayout:
 
 IN = ComparisonLayout()
 PATHS_PAD = 0.07
-LEAST_PATHS_SPAN_MM = 0.1
-MOST_LABEL, MOST_IN_TITLE = 44, 30
+MIN_PATHS_SPAN_MM = 0.1
+MAX_LABEL, MAX_IN_TITLE = 44, 30
 
 
 class TipMotion(Protocol):
@@ -129,9 +129,9 @@ class PanelPlaces:
 
 
 def _title(found: Comparison) -> str:
-    first = shown(found.motions[0].title, MOST_IN_TITLE)
+    first = shown(found.motions[0].title, MAX_IN_TITLE)
     worst = max(found.differences, key=lambda d: d.max_m)
-    size, label = f"{1e3 * worst.max_m:.3g} mm", shown(worst.label, MOST_IN_TITLE)
+    size, label = f"{1e3 * worst.max_m:.3g} mm", shown(worst.label, MAX_IN_TITLE)
     if len(found.differences) == 1:
         told = ", within the stated errors" if worst.verdict == "within errors" else ""
         return f"{label} differs from {first} by {size} at most{told}"
@@ -159,7 +159,7 @@ def draw_paths(axes: Axes, motions: Sequence[TipMotion], around: np.ndarray | No
         if style.dashes:
             lines["dashes"] = style.dashes
         for n, rows in enumerate(stretches(motion.tip)):
-            label = shown(motion.title, MOST_LABEL) if n == 0 else None
+            label = shown(motion.title, MAX_LABEL) if n == 0 else None
             axes.plot(*(1e3 * motion.tip[rows].T), label=label, **lines)
         start = 1e3 * motion.tip[0]
         axes.plot(*start, marker="o", ms=5, mfc=look().ground, mec=style.colour, zorder=6)
@@ -169,7 +169,7 @@ def draw_paths(axes: Axes, motions: Sequence[TipMotion], around: np.ndarray | No
 def frame_about(axes: Axes, points: np.ndarray) -> float:
     """Square limits about points (n, 2) [mm], z downwards; returns half a side [mm]."""
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
-    half = (0.5 + PATHS_PAD) * max(float(np.ptp(points, axis=0).max()), LEAST_PATHS_SPAN_MM)
+    half = (0.5 + PATHS_PAD) * max(float(np.ptp(points, axis=0).max()), MIN_PATHS_SPAN_MM)
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.set(xlabel=channel("x").label, ylabel=f"{channel('z').label}, down from the clamp")
     axes.grid(color=look().grid, lw=0.6)

@@ -41,7 +41,7 @@ class DesignLayout:
 
 IN = DesignLayout()
 DESIGN_PAD = 0.08
-LEAST_DESIGN_SPAN_MM = 1.0
+MIN_DESIGN_SPAN_MM = 1.0
 
 
 def draw_design(found: PathDesign, path: Target) -> None:
@@ -77,7 +77,7 @@ def _draw_paths(axes: Axes, found: PathDesign, columns: int) -> None:
     wanted, way = 1e3 * found.wanted, 1e3 * _closed(found.found, found.closed)
     every = np.concatenate([wanted, way])
     middle = (every.min(axis=0) + every.max(axis=0)) / 2
-    half = (0.5 + DESIGN_PAD) * max(float(np.ptp(every, axis=0).max()), LEAST_DESIGN_SPAN_MM)
+    half = (0.5 + DESIGN_PAD) * max(float(np.ptp(every, axis=0).max()), MIN_DESIGN_SPAN_MM)
     axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] + half, middle[1] - half))
     axes.set_aspect("equal")
     if len(found.band) >= len(found.found) > 1:

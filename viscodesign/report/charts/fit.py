@@ -36,7 +36,7 @@ class FitLayout:
 
 
 IN = FitLayout()
-MOST_RUNS = 3
+MAX_RUNS = 3
 """Recordings that are drawn side by side."""
 REACH = 4.0
 """Standard deviations at which the colours of residuals end."""
@@ -44,12 +44,10 @@ REACH = 4.0
 
 def draw_fit(found: Fit, path: Path) -> None:
     """A column a recording: the last marker over time, and residuals of all channels."""
-    natural = (
-        IN.left + min(len(found.runs), MOST_RUNS) * (IN.run_width + IN.gap) - IN.gap + IN.right
-    )
+    natural = IN.left + min(len(found.runs), MAX_RUNS) * (IN.run_width + IN.gap) - IN.gap + IN.right
     width = look().across(natural)
     fitting = int((width - IN.left - IN.right + IN.gap) / (IN.least_run_width + IN.gap))
-    runs = found.runs[: min(MOST_RUNS, max(1, fitting))]
+    runs = found.runs[: min(MAX_RUNS, max(1, fitting))]
     run_width = (width - IN.left - IN.right + IN.gap) / len(runs) - IN.gap
     rows = max(len(run.headers) for run in runs)
     map_height = max(IN.map_height, IN.row_height * rows)

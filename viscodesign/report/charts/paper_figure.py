@@ -55,7 +55,7 @@ COLUMNS = 20
 """Characters of a line of words below a panel, for an inch of its side."""
 HEAD_COLUMNS = 16
 """The same of a line above all panels."""
-MOST_NAME = 30
+MAX_NAME = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,7 +183,7 @@ def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...], around: np.ndarray) -> 
         _draw_bodies(axes, still, np.empty((0, 2)))
         for k, run in enumerate(runs):
             axis, colour = 1e3 * run.shape[-1], line_style(k).colour
-            axes.plot(*axis.T, color=colour, lw=1.8, zorder=4, label=shown(run.name, MOST_NAME))
+            axes.plot(*axis.T, color=colour, lw=1.8, zorder=4, label=shown(run.name, MAX_NAME))
             axes.plot(*axis[-1], marker="o", ms=5, mfc=look().ground, mec=colour, zorder=5)
     elif len(runs) == 1:
         run = runs[0]
@@ -195,7 +195,7 @@ def _draw_runs(axes: Axes, runs: tuple[Trajectory, ...], around: np.ndarray) -> 
         bar.outline.set_visible(False)
         return
     else:
-        draw_paths(axes, [DrawnPath(shown(run.name, MOST_NAME), run.tip[:, :2]) for run in runs])
+        draw_paths(axes, [DrawnPath(shown(run.name, MAX_NAME), run.tip[:, :2]) for run in runs])
     axes.legend(
         loc="best", fontsize=7, handlelength=1.6, frameon=True, framealpha=0.8, edgecolor="none"
     )

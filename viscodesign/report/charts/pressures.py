@@ -52,7 +52,7 @@ class PressuresLayout:
 
 
 IN = PressuresLayout()
-MOST_DISCRETE_SECTIONS = 16
+MAX_DISCRETE_SECTIONS = 16
 """Up to this number of sections, each has its own field in the colour bar."""
 
 
@@ -95,7 +95,7 @@ def draw_pressures(trajectory: Trajectory, path: Target) -> None:
 
 
 def _section_colours(sections: int) -> Normalize:
-    if sections > MOST_DISCRETE_SECTIONS:
+    if sections > MAX_DISCRETE_SECTIONS:
         return Normalize(1, sections)
     return BoundaryNorm(np.arange(sections + 1) + 0.5, look().sequential.N)
 
@@ -177,14 +177,14 @@ def _draw_bar(made: Figure, axes: Axes, trajectory: Trajectory, norm: Normalize)
     ticks = _section_ticks(sections)
     bar.set_ticks([float(tick) for tick in ticks], labels=[str(tick) for tick in ticks])
     bar.minorticks_off()
-    bar.ax.tick_params(length=0 if sections <= MOST_DISCRETE_SECTIONS else 3)
+    bar.ax.tick_params(length=0 if sections <= MAX_DISCRETE_SECTIONS else 3)
     bar.outline.set_edgecolor(look().faint)
     bar.outline.set_linewidth(0.4)
 
 
 def _section_ticks(sections: int) -> list[int]:
     """All of few; of many the first and about ten round numbers."""
-    if sections <= MOST_DISCRETE_SECTIONS:
+    if sections <= MAX_DISCRETE_SECTIONS:
         return list(range(1, sections + 1))
     rounds = (m * 10**e for e in range(9) for m in (1, 2, 5))
     step = next(step for step in rounds if sections <= 10 * step)

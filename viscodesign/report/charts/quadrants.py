@@ -57,7 +57,7 @@ SAME_PLACE = 0.004
 """Points nearer than this, of the plane's side, are one mark."""
 TOLD_COLUMNS = 17
 """Characters of a line below the plane, for an inch."""
-MOST_NAMED_MARKS, MOST_NAMES_PER_MARK = 5, 3
+MAX_NAMED_MARKS, MAX_NAMES_PER_MARK = 5, 3
 """So many marks, of so many names, have the names themselves beside them; more have numbers."""
 
 
@@ -85,8 +85,8 @@ def draw_plane(
     places = [_place(found) for found in classifications]
     decades = (_decades([x for x, _ in places]), _decades([y for _, y in places]))
     marks = _marks(classifications, places, decades)
-    direct = len(marks) <= MOST_NAMED_MARKS and all(
-        len(mark.names) <= MOST_NAMES_PER_MARK for mark in marks
+    direct = len(marks) <= MAX_NAMED_MARKS and all(
+        len(mark.names) <= MAX_NAMES_PER_MARK for mark in marks
     )
     width = look().across(IN.left + IN.size + (IN.right if direct else IN.key_width))
     is_beside = not direct and width - IN.left - IN.key_width >= IN.least_size

@@ -28,7 +28,7 @@ from viscodesign.report.layout.style import (
     head_room,
     picture,
 )
-from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
+from viscodesign.report.layout.tube_lines import MAX_TUBE_LINES, inlet_places, tube_lines
 from viscodesign.report.page.page_data import tube_ends
 from viscodesign.report.page.sketch_numbers import ground_of, scene_of
 from viscodesign.results.channels import channel
@@ -39,11 +39,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MOST_SNAPSHOTS, NARROW_SNAPSHOTS = 8, 4
+MAX_SNAPSHOTS, NARROW_SNAPSHOTS = 8, 4
 """The second where the picture is narrow: more would be too small."""
 INLET_MARK = 0.16
 """Half the size of an inlet, of half the width of the clamp."""
-MOST_EDGED_SECTIONS = 24
+MAX_EDGED_SECTIONS = 24
 """With more sections than this a bellow's edge would hide its colour."""
 
 
@@ -91,7 +91,7 @@ def draw_shapes(trajectory: Trajectory, path: Target) -> None:
     width = look().across(IN.width)
     foot = IN.foot_height + (0.0 if width >= IN.least_width else 0.24)
     snapshots = _snapshots(
-        trajectory, MOST_SNAPSHOTS if width >= IN.least_width else NARROW_SNAPSHOTS
+        trajectory, MAX_SNAPSHOTS if width >= IN.least_width else NARROW_SNAPSHOTS
     )
     strip = arrange(_frames(snapshots), 1e3 * trajectory.length, width - 2 * IN.side)
     ground = ground_of(trajectory)
@@ -126,7 +126,7 @@ def _snapshots(trajectory: Trajectory, count: int) -> Snapshots:
     blocks = bellow_blocks(axis, trajectory.arc, trajectory.bellows, widths)
     tubes = tube_ends(trajectory, scene_of(trajectory))
     inlets = inlet_places(trajectory.inlets, tubes, width)
-    drawn = tubes if len(tubes) <= MOST_TUBES else []
+    drawn = tubes if len(tubes) <= MAX_TUBE_LINES else []
     ground, reach = ground_of(trajectory), float(np.ptp(axis)) + width
     return Snapshots(
         time_labels(trajectory.time[rows]),
@@ -196,7 +196,7 @@ def _draw_snapshots(
     axes: Axes, snapshots: Snapshots, strip: Strip, colours: Colormap, norm: Normalize
 ) -> None:
     origin = np.array(strip.origins)
-    many = snapshots.blocks.shape[1] > 2 * MOST_EDGED_SECTIONS
+    many = snapshots.blocks.shape[1] > 2 * MAX_EDGED_SECTIONS
     blocks = (snapshots.blocks + origin[:, None, None]).reshape(-1, 4, 2)
     shown = PolyCollection(
         list(blocks),

@@ -41,9 +41,9 @@ class SweepLayout:
 
 
 IN = SweepLayout()
-MOST_PANELS, ACROSS = 12, 4
-MOST_TICKS = 8
-MOST_MEANS = 10
+MAX_PANELS, ACROSS = 12, 4
+MAX_TICKS = 8
+MAX_MEANS = 10
 
 
 def draw_sweep(sweep: Sweep, metric: str, path: Path) -> None:
@@ -122,7 +122,7 @@ def _draw_keys(sweep: Sweep, metric: str, path: Path) -> None:
     """The metric against each key, those first that it follows most."""
     values = _values(sweep, metric)
     order = sorted(range(len(sweep.columns)), key=lambda k: -_dependence(_places(sweep, k), values))
-    order = order[:MOST_PANELS]
+    order = order[:MAX_PANELS]
     natural = IN.left + min(ACROSS, len(order)) * (IN.panel + IN.panel_gap)
     width = look().across(natural)
     across = max(
@@ -163,8 +163,8 @@ def _running_mean(places: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, n
     places, values = places[known], values[known]
     order = np.argsort(places, kind="stable")
     starts = np.flatnonzero(np.diff(places[order])) + 1
-    if len(starts) >= MOST_MEANS:
-        parts = np.array_split(order, max(2, min(MOST_MEANS, len(order) // 10)))
+    if len(starts) >= MAX_MEANS:
+        parts = np.array_split(order, max(2, min(MAX_MEANS, len(order) // 10)))
     else:
         parts = np.split(order, starts)
     pairs = [(places[own].mean(), values[own].mean()) for own in parts if own.size]
@@ -226,7 +226,7 @@ def _label_axis(axes: Axes, column: SweptColumn, axis: str, is_log: bool) -> Non
     if is_log:
         axes.set(**{f"{axis}scale": "log"})
         own = axes.xaxis if axis == "x" else axes.yaxis
-        own.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=MOST_TICKS))
+        own.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=MAX_TICKS))
         own.set_major_formatter(StrMethodFormatter("{x:g}"))
         own.set_minor_formatter(NullFormatter())
 
@@ -234,7 +234,7 @@ def _label_axis(axes: Axes, column: SweptColumn, axis: str, is_log: bool) -> Non
 def _ticks(axes: Axes, column: SweptColumn, axis: str, offset: float) -> None:
     """Values as words along an axis, some of them where they are many."""
     values: Sequence[Any] = column.values or ()
-    step = math.ceil(len(values) / MOST_TICKS)
+    step = math.ceil(len(values) / MAX_TICKS)
     unit, factor = _unit(column)
     words = [
         f"{factor * value:.3g}" if isinstance(value, float) else shown(value_words(value, None), 14)

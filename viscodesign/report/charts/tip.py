@@ -13,7 +13,7 @@ from viscodesign.report.charts.tip_instants import draw_instants
 from viscodesign.report.charts.tip_path import draw_path, time_range
 from viscodesign.report.ground_outline import feet, ground_outline, ground_words, lies_beyond
 from viscodesign.report.layout.bellow_blocks import body_widths
-from viscodesign.report.layout.downsampling import MOST_PLOTTED_ROWS
+from viscodesign.report.layout.downsampling import MAX_PLOTTED_ROWS
 from viscodesign.report.layout.look import look
 from viscodesign.report.layout.snapshots import clamp_strokes, outline, spread_instants
 from viscodesign.report.layout.style import (
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from viscodesign.scene.ground import Ground
 
-MOST_INSTANTS = 7
+MAX_INSTANTS = 7
 LARGEST_AXES = np.array((4.6, 4.8))
 SMALLEST_AXES = np.array((3.2, 2.0))
 """Size of the axes, x and z [inch]."""
@@ -69,7 +69,7 @@ ZOOM_RANGE = (1e-3, 0.25)
 
 def draw_tip(trajectory: Trajectory, path: Target) -> None:
     """Equal axes in mm, the clamp at the top, z downwards as the actuator hangs."""
-    instants = spread_instants(trajectory, MOST_INSTANTS)
+    instants = spread_instants(trajectory, MAX_INSTANTS)
     rows = trajectory.shape_rows[instants]
     bodies = outline(trajectory.shape[instants], body_widths(trajectory)) * 1e3
     zoomed = _is_small(trajectory, bodies)
@@ -122,7 +122,7 @@ def draw_tip(trajectory: Trajectory, path: Target) -> None:
         bar.ax.ticklabel_format(axis="y", scilimits=TIME_DIGITS)
         if len(trajectory.time) == 1:
             bar.set_ticks([float(trajectory.time[0])])
-        thinned = len(trajectory.time) > MOST_PLOTTED_ROWS
+        thinned = len(trajectory.time) > MAX_PLOTTED_ROWS
         told = f"tip path{' (excerpts)' if thinned else ''}"
         if trajectory.uncertainty is not None and not trajectory.uncertainty.is_still:
             told += ", 95 % band"

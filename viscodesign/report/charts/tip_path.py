@@ -15,7 +15,7 @@ from viscodesign.storage.disk_arrays import extremes
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MOST_PIECES = 1500
+MAX_PIECES = 1500
 """Pieces of one colour that a long path is drawn in."""
 MANY_ROUNDS = 8
 """From this number of rounds on, a finer pen keeps them apart."""
@@ -28,7 +28,7 @@ def draw_path(axes: Axes, trajectory: Trajectory, size: float = 1.0) -> LineColl
     ``size`` is that of the marks, 1 as usual.
     """
     parts = stretches(trajectory.tip[:, :2])
-    stride = -(-sum(part.stop - part.start for part in parts) // MOST_PIECES)
+    stride = -(-sum(part.stop - part.start for part in parts) // MAX_PIECES)
     starts = [
         slice(k, min(k + stride + 1, part.stop))
         for part in parts

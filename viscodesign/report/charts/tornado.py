@@ -38,7 +38,7 @@ class TornadoLayout:
 
 
 IN = TornadoLayout()
-MOST_BARS = 16
+MAX_BARS = 16
 DEVIATIONS = 2
 """Half width of a drawn band, in standard deviations."""
 LINES = 3
@@ -47,7 +47,7 @@ LINES = 3
 
 def draw_tornado(study: SensitivityStudy, path: Path) -> None:
     """Bars of the largest shifts, the farthest on top; beside them x and z against time."""
-    order = study.order[:MOST_BARS]
+    order = study.order[:MAX_BARS]
     width = look().across(IN.left + IN.bars_width + IN.gap + IN.path_width + IN.right)
     bars, margin = IN.row_height * max(len(order), 2), IN.left
     if width >= IN.least_width:

@@ -16,7 +16,7 @@ import numpy as np
 
 from viscodesign.errors import UsageError
 from viscodesign.report.film.film_plan import LAST_FRAME_HOLD, FilmOptions
-from viscodesign.report.film.palette import MOST_COLOURS, film_palette
+from viscodesign.report.film.palette import MAX_COLOURS, film_palette
 from viscodesign.report.layout.look import LOOKS
 from viscodesign.storage.atomic_files import replaced
 
@@ -88,10 +88,10 @@ def _without_ground(made: Image, picture: Image) -> Image:
     from PIL import Image
 
     solid = np.asarray(picture.getchannel("A")) >= 128
-    indices = np.where(solid, np.asarray(made), MOST_COLOURS).astype(np.uint8)
+    indices = np.where(solid, np.asarray(made), MAX_COLOURS).astype(np.uint8)
     found = Image.fromarray(indices, "P")
     found.putpalette(made.getpalette() or [])
-    found.info["transparency"] = MOST_COLOURS
+    found.info["transparency"] = MAX_COLOURS
     return found
 
 

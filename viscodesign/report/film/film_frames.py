@@ -18,7 +18,7 @@ from viscodesign.report.layout.look import drawn_as, look
 from viscodesign.report.layout.pressure_colours import pressure_colours
 from viscodesign.report.layout.snapshots import clamp_strokes
 from viscodesign.report.layout.style import own_style, shown
-from viscodesign.report.layout.tube_lines import MOST_TUBES, inlet_places, tube_lines
+from viscodesign.report.layout.tube_lines import MAX_TUBE_LINES, inlet_places, tube_lines
 from viscodesign.report.page.page_data import GROUND_REACH
 from viscodesign.report.page.shown_rows import shapes_near
 from viscodesign.report.page.sketch_numbers import ground_of
@@ -34,7 +34,7 @@ BANNER_CHARACTERS = 7.5
 """Of a line of a banner, for an inch of the width."""
 LEGEND_COLUMN = 1.0
 """Room for a name of the legend [inch]."""
-MOST_CURVES = 16
+MAX_CURVES = 16
 """Largest number of curves of a column."""
 
 
@@ -108,7 +108,7 @@ class _Body:
         self.run, self.widths = run, 1e3 * section_widths(run)
         self.width = float(np.max(self.widths))
         self.ground = ground_of(run)
-        self.tubes = tubes if len(tubes) <= MOST_TUBES else []
+        self.tubes = tubes if len(tubes) <= MAX_TUBE_LINES else []
         across = 0.4 if options.pressures else 0.9
         self.axes = made.add_axes((0.03, 0.14, across, 0.74))
         self.axes.set_axis_off()
@@ -203,7 +203,7 @@ class _Curves:
         run = self.run
         for side, colour in zip("RL", look().columns, strict=True):
             own = [k for k, name in enumerate(run.bellows) if name.startswith(side)]
-            some = np.unique(np.linspace(0, len(own) - 1, min(len(own), MOST_CURVES)).astype(int))
+            some = np.unique(np.linspace(0, len(own) - 1, min(len(own), MAX_CURVES)).astype(int))
             time, values = envelope(run.time, run.pressure)
             axes.plot(time, values[:, [own[k] for k in some]] / 1e3, color=colour, lw=0.9)
             axes.plot([], [], color=colour, label=f"{side} column")

@@ -12,7 +12,7 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.report.picture_options import Style
 
 FORMATS = (".gif", ".webp", ".mp4")
-MOST_PICTURES = 3000
+MAX_PICTURES = 3000
 REAL_TIME = (2.0, 20.0)
 """Runs of this length are shown in real time unless told otherwise [s]."""
 USUAL_LENGTH = 8.0
@@ -98,10 +98,10 @@ def film_rows(time: np.ndarray, options: FilmOptions) -> np.ndarray:
     span = float(time[-1] - time[0])
     speed = options.speed or usual_speed(span)
     count = math.floor(span / speed * options.frames_per_second) + 1
-    if count > MOST_PICTURES:
-        enough = span * options.frames_per_second / (MOST_PICTURES - 1)
+    if count > MAX_PICTURES:
+        enough = span * options.frames_per_second / (MAX_PICTURES - 1)
         raise UsageError(
-            f"{count:,} frames at {speed:g} times real time; at most {MOST_PICTURES:,} are made. "
+            f"{count:,} frames at {speed:g} times real time; at most {MAX_PICTURES:,} are made. "
             f"Use a speed of {enough:.3g} or more, or fewer frames per second"
         )
     wanted = time[0] + np.arange(count) * speed / options.frames_per_second

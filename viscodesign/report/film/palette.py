@@ -12,7 +12,7 @@ from viscodesign.report.layout.look import Look
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-MOST_COLOURS = 255
+MAX_COLOURS = 255
 """A GIF has 256; one is left for what is transparent."""
 PRESSURES = 128
 """Colours of pressures: neighbours differ by less than anybody sees."""
@@ -27,7 +27,7 @@ def film_palette(frame: Image, look: Look) -> Image:
     from PIL import Image
 
     fixed = _fixed(look)
-    free = MOST_COLOURS - len(fixed)
+    free = MAX_COLOURS - len(fixed)
     others = frame.quantize(free, method=Image.Quantize.MEDIANCUT).getpalette() or []
     every = np.concatenate([fixed, np.array(others[: 3 * free], dtype=int).reshape(-1, 3)])
     # Pillow looks colours up in cells of a few units: the ground would take one beside its own.

@@ -16,7 +16,7 @@ from viscodesign.results.walk_study import WalkStudy
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEAST_RADIUS = 2e-3
+MIN_RADIUS = 2e-3
 """Smallest radius with which a foot is drawn [m]."""
 ROOM = 0.25
 """Around the robot, in lengths of its body."""
@@ -83,7 +83,7 @@ class _SideView:
             axes.plot([tick, tick - 6], [0, -6], color=look().grey, lw=0.8)
         colours = leg_colours(motion).values()
         self.legs = [axes.plot([], [], color=c, lw=4, alpha=0.8)[0] for c in colours]
-        radius = 1e3 * max(motion.foot_radius, LEAST_RADIUS)
+        radius = 1e3 * max(motion.foot_radius, MIN_RADIUS)
         self.feet = [Circle((0, 0), radius, ec=c, lw=2) for c in colours]
         for foot in self.feet:
             axes.add_patch(foot)

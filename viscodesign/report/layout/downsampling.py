@@ -6,7 +6,7 @@ import numpy as np
 
 from viscodesign.storage.disk_arrays import blocks, extremes
 
-MOST_PLOTTED_ROWS = 40_000
+MAX_PLOTTED_ROWS = 40_000
 """Number of rows up to which a run is drawn in full."""
 ENVELOPE_FIELDS = 1000
 """Number of time intervals of a long run; of each, lowest and highest values are drawn."""
@@ -22,7 +22,7 @@ def envelope(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarr
     Of a long run, the lowest and highest value of every interval in turn, so that no peak
     is lost, however short it is.
     """
-    if len(time) <= MOST_PLOTTED_ROWS:
+    if len(time) <= MAX_PLOTTED_ROWS:
         return time, values
     size = -(-len(time) // ENVELOPE_FIELDS)
     found = [
@@ -43,15 +43,15 @@ def stretches(values: np.ndarray) -> list[slice]:
     of its rows is another path.
     """
     count = len(values)
-    if count <= MOST_PLOTTED_ROWS:
+    if count <= MAX_PLOTTED_ROWS:
         return [slice(0, count)]
-    size = int((1 - BEGINNING_SHARE) * MOST_PLOTTED_ROWS) // PATH_STRETCHES
+    size = int((1 - BEGINNING_SHARE) * MAX_PLOTTED_ROWS) // PATH_STRETCHES
     low, high = extremes(values)
     wanted = [int(k) for k in np.linspace(0, count - size, PATH_STRETCHES)]
     wanted += [k - size // 2 for k in _where(values, low, high)]
     inside = sorted(min(max(k, 0), count - size) for k in wanted)
     return _joined(
-        [slice(0, int(BEGINNING_SHARE * MOST_PLOTTED_ROWS)), *(slice(k, k + size) for k in inside)]
+        [slice(0, int(BEGINNING_SHARE * MAX_PLOTTED_ROWS)), *(slice(k, k + size) for k in inside)]
     )
 
 

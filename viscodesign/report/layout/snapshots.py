@@ -11,7 +11,7 @@ DISTINCT_DISTANCE = 0.01
 """Smallest difference worth drawing, relative to length and range of pressure."""
 
 
-MOST_COMPARED_SHAPES = 5000
+MAX_COMPARED_SHAPES = 5000
 """Number of shapes among which those to draw are selected."""
 
 
@@ -41,9 +41,9 @@ def spread_instants(trajectory: Trajectory, count: int, *, pressures: bool = Fal
 
 def _compared(shapes: int) -> np.ndarray:
     """Indices of the compared shapes; of many, some at random, so that no cycle is missed."""
-    if shapes <= MOST_COMPARED_SHAPES:
+    if shapes <= MAX_COMPARED_SHAPES:
         return np.arange(shapes)
-    scattered = np.random.default_rng(0).choice(shapes, MOST_COMPARED_SHAPES - 2, replace=False)
+    scattered = np.random.default_rng(0).choice(shapes, MAX_COMPARED_SHAPES - 2, replace=False)
     return np.unique([0, *scattered.tolist(), shapes - 1])
 
 

@@ -14,7 +14,7 @@ LARGEST_LENGTH = 1.9
 """Largest length of the actuator as drawn [inch]."""
 LARGEST_STRIP_HEIGHT = 6.5
 """Largest height of the strip [inch]."""
-MOST_STRIP_ROWS = 3
+MAX_STRIP_ROWS = 3
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def arrange(frames: Sequence[Frame], length: float, width: float) -> Strip:
 
     ``length`` of the actuator [mm], ``width`` of the strip [inch].
     """
-    choices = [_rows(frames, count) for count in range(1, min(MOST_STRIP_ROWS, len(frames)) + 1)]
+    choices = [_rows(frames, count) for count in range(1, min(MAX_STRIP_ROWS, len(frames)) + 1)]
     scales = [_scale(rows, LARGEST_LENGTH / length, width) for rows in choices]
     # More rows have to be worth their space on the page.
     best = max(range(len(choices)), key=lambda k: (scales[k] * 0.93**k, -k))

@@ -12,7 +12,7 @@ INLET_HEIGHT, INLET_SIDE = 0.36, 0.62
 """Place of an inlet above the clamp and beside the axis, of the width."""
 JUNCTION_PASSES = 4
 """Times that junctions move to the middle of their neighbours."""
-MOST_TUBES = 256
+MAX_TUBE_LINES = 256
 """With more tubes than this none could be told from another."""
 TUBE_POINTS = 9
 

@@ -7,14 +7,14 @@ from typing import Any
 
 from viscodesign.report.page.packed_arrays import packed
 from viscodesign.report.page.self_contained import self_contained, write_html
-from viscodesign.report.page.shown_rows import MOST_SHOWN_ROWS, evenly
+from viscodesign.report.page.shown_rows import MAX_SHOWN_ROWS, evenly
 from viscodesign.results.coefficient_band import swept_ellipses
 from viscodesign.results.run_comparison import ComparedMotion, Comparison, TipDifference
 
 TEMPLATE = "compare.html"
 SCRIPTS = ("data.js", "svg.js", "charts.js", "tip_path.js", "tables.js", "compare.js")
 """In the order in which they run; those before the last only define functions."""
-MOST_PAGE_ELLIPSES, ELLIPSE_POINTS = 200, 24
+MAX_PAGE_ELLIPSES, ELLIPSE_POINTS = 200, 24
 
 
 def write_comparison_page(found: Comparison, file: str | Path) -> Path:
@@ -36,7 +36,7 @@ def comparison_data(found: Comparison) -> dict[str, Any]:
 
 
 def _curve(motion: ComparedMotion) -> dict[str, Any]:
-    rows = evenly(len(motion.time), MOST_SHOWN_ROWS)
+    rows = evenly(len(motion.time), MAX_SHOWN_ROWS)
     return {
         "title": motion.title,
         "time": packed(motion.time[rows], "f8"),
@@ -49,12 +49,12 @@ def _band(motion: ComparedMotion) -> dict[str, Any] | None:
     """Ellipses, all points of one after the other, and how many points one has."""
     if motion.band is None:
         return None
-    around = swept_ellipses(motion.tip, motion.band, MOST_PAGE_ELLIPSES, ELLIPSE_POINTS)
+    around = swept_ellipses(motion.tip, motion.band, MAX_PAGE_ELLIPSES, ELLIPSE_POINTS)
     return {"corners": packed(around.reshape(-1, 2), "f8"), "points": ELLIPSE_POINTS}
 
 
 def _distances(difference: TipDifference) -> dict[str, Any]:
-    rows = evenly(len(difference.time), MOST_SHOWN_ROWS)
+    rows = evenly(len(difference.time), MAX_SHOWN_ROWS)
     phase = difference.phase
     return {
         "time": packed(difference.time[rows], "f8"),
@@ -68,7 +68,7 @@ def _distances(difference: TipDifference) -> dict[str, Any]:
 
 def _thinned(found: Comparison) -> list[str]:
     return [
-        f"{MOST_SHOWN_ROWS:,} of {len(motion.time):,} rows of {motion.label} are drawn"
+        f"{MAX_SHOWN_ROWS:,} of {len(motion.time):,} rows of {motion.label} are drawn"
         for motion in found.motions
-        if len(motion.time) > MOST_SHOWN_ROWS
+        if len(motion.time) > MAX_SHOWN_ROWS
     ]

@@ -17,7 +17,7 @@ SCRIPTS = (
     "gait.js",
 )
 """In the order in which they run; those before the last only define functions."""
-MOST_GAIT_ROWS = 1000
+MAX_GAIT_ROWS = 1000
 """Times that are shown; of more, some at even distances."""
 
 
@@ -29,7 +29,7 @@ def write_gait_page(study: WalkStudy, file: str | Path) -> Path:
 def gait_data(study: WalkStudy) -> dict[str, Any]:
     """All that the page shows."""
     motion = study.motion
-    shown = evenly(len(motion.rows), MOST_GAIT_ROWS)
+    shown = evenly(len(motion.rows), MAX_GAIT_ROWS)
     rows, axes = motion.rows[shown], motion.axes[shown]
     thinned = f"{len(shown):,} of {len(motion.rows):,} recorded times are shown"
     return {

@@ -24,9 +24,9 @@ from viscodesign.results.trajectory import Trajectory
 from viscodesign.scene.scene import Scene
 from viscodesign.storage.disk_arrays import rows_at
 
-MOST_SPEC_CHARACTERS = 60_000
-MOST_WARNINGS = 200
-MOST_DRAWN_TUBES = 128
+MAX_SPEC_CHARACTERS = 60_000
+MAX_WARNINGS = 200
+MAX_DRAWN_TUBES = 128
 """As `actuator.js` has it."""
 GROUND_REACH = 4.0
 """To which a straight ground is drawn, in lengths of the actuator."""
@@ -119,7 +119,7 @@ def _notes(run: Trajectory, chosen: ShownRows, tubes: np.ndarray) -> Sequence[st
         notes.append(
             f"flows are shown for {len(tubes)} of {len(run.tubes):,} tubes, those with the largest"
         )
-    if len(run.tubes) > MOST_DRAWN_TUBES:
+    if len(run.tubes) > MAX_DRAWN_TUBES:
         notes.append(f"the {len(run.tubes):,} tubes are not drawn at the actuator")
     if len(run.shape_rows) < len(run.time):
         notes.append(
@@ -139,15 +139,15 @@ def _sketch(run: Trajectory, scene: Scene | None, chosen: ShownRows) -> dict[str
 def _short(summary: Any) -> dict[str, Any]:
     """The summary with as many warnings as anybody reads."""
     warnings = summary.get("warnings", [])
-    more = len(warnings) - MOST_WARNINGS
-    return {**summary, "warnings": warnings[:MOST_WARNINGS], "more_warnings": max(more, 0)}
+    more = len(warnings) - MAX_WARNINGS
+    return {**summary, "warnings": warnings[:MAX_WARNINGS], "more_warnings": max(more, 0)}
 
 
 def shortened_spec(text: str) -> str:
     """A spec with as many characters as anybody reads."""
-    if len(text) <= MOST_SPEC_CHARACTERS:
+    if len(text) <= MAX_SPEC_CHARACTERS:
         return text
-    return f"{text[:MOST_SPEC_CHARACTERS]}\n... ({len(text):,} characters, all in spec.yaml)\n"
+    return f"{text[:MAX_SPEC_CHARACTERS]}\n... ({len(text):,} characters, all in spec.yaml)\n"
 
 
 def tube_ends(run: Trajectory, scene: Scene | None) -> list[list[str]]:

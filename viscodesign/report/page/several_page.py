@@ -21,7 +21,7 @@ SCRIPTS = (
     "several.js",
 )
 """In the order in which they run; those before the last only define functions."""
-MOST_JUNCTION_ROWS = 2000
+MAX_JUNCTION_ROWS = 2000
 """Times at which pressures of junctions are kept."""
 OF_ONE = ("spec", "sketch", "band", "flow", "quantities")
 """Data of a run that its own page alone shows."""
@@ -59,7 +59,7 @@ def several_data(found: SeveralRuns) -> dict[str, Any]:
 
 def _shared(motion: CoupledMotion) -> Iterator[dict[str, Any]]:
     """Pressures at the inlets and junctions of actuators that share fluid, at some of its times."""
-    rows = np.unique(np.linspace(0, len(motion.time) - 1, MOST_JUNCTION_ROWS).astype(int))
+    rows = np.unique(np.linspace(0, len(motion.time) - 1, MAX_JUNCTION_ROWS).astype(int))
     for name, values in (*motion.inlet_pressure.items(), *motion.junction_pressure.items()):
         yield {
             "name": name,

@@ -8,15 +8,15 @@ from viscodesign.lazy_dataclass import dataclass
 from viscodesign.results.trajectory import Trajectory
 from viscodesign.storage.disk_arrays import blocks
 
-MOST_SHOWN_ROWS = 1500
+MAX_SHOWN_ROWS = 1500
 """Number of output times up to which all are shown, where the bytes suffice."""
-MOST_PAGE_BYTES = 1_050_000
+MAX_PAGE_BYTES = 1_050_000
 """Bytes of arrays, which become a third more in the file."""
 PATH_KEPT = 0.97
 """Share of the path's length that evenly spaced times must keep; with less, motion is lost."""
-MOST_FLOWS = 32
+MAX_FLOWS = 32
 """Tubes whose flows are shown: those with the largest."""
-MOST_AXIS_POINTS = 257
+MAX_AXIS_POINTS = 257
 """Points of the axis, where one a section is not more."""
 
 
@@ -34,7 +34,7 @@ class ShownRows:
 def shown_rows(run: Trajectory) -> ShownRows:
     """All output times if they fit; else evenly spaced ones, or the last, if those lose motion."""
     total = len(run.time)
-    most = max(2, min(MOST_SHOWN_ROWS, MOST_PAGE_BYTES // _row_bytes(run)))
+    most = max(2, min(MAX_SHOWN_ROWS, MAX_PAGE_BYTES // _row_bytes(run)))
     if total <= most:
         return ShownRows(np.arange(total), "", True)
     step = -(-(total - 1) // (most - 1))
@@ -75,26 +75,26 @@ def _whole_path_length(tip: np.ndarray) -> float:
 def shown_tubes(run: Trajectory) -> np.ndarray:
     """Columns (q,) of the tubes with the largest flows, in their order."""
     count = run.flow.shape[1]
-    if count <= MOST_FLOWS:
+    if count <= MAX_FLOWS:
         return np.arange(count)
     largest = np.zeros(count)
     for rows in blocks(len(run.flow), run.flow):
         largest = np.maximum(largest, np.abs(run.flow[rows]).max(axis=0))
-    return np.sort(np.argsort(-largest, kind="stable")[:MOST_FLOWS])
+    return np.sort(np.argsort(-largest, kind="stable")[:MAX_FLOWS])
 
 
 def shown_points(run: Trajectory) -> np.ndarray:
     """Points (k,) of the axis, with the ends of every section."""
     sections, points = len(run.bellows) // 2, len(run.arc)
     inside, uneven = divmod(points - 1, sections)
-    if uneven or points <= MOST_AXIS_POINTS:
+    if uneven or points <= MAX_AXIS_POINTS:
         return np.arange(points)
     kept = max(n for n in range(1, inside + 1) if inside % n == 0 and _fits(n, sections))
     return np.arange(0, points, inside // kept)
 
 
 def _fits(kept: int, sections: int) -> bool:
-    return kept == 1 or kept * sections < MOST_AXIS_POINTS
+    return kept == 1 or kept * sections < MAX_AXIS_POINTS
 
 
 def shapes_near(run: Trajectory, rows: np.ndarray) -> np.ndarray:

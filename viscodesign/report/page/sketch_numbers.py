@@ -18,7 +18,7 @@ from viscodesign.scene.scene import Scene
 
 COMPRESSIBLE = "compressible_fluid"
 """Trait of the effect with which the fluid of a run stores itself."""
-MOST_BELLOWS = 256
+MAX_SKETCHED_BELLOWS = 256
 """Beyond these a sketch no longer follows a slider at once."""
 
 
@@ -46,8 +46,8 @@ def why_not(run: Trajectory, scene: Scene | None) -> str:
         return "a syringe prescribes its volume, and the pressure follows from the design"
     if scene.bellows.curves:
         return "its bellows follow a measured curve, and the sketch is linear"
-    if len(run.bellows) > MOST_BELLOWS:
-        return f"it has more than {MOST_BELLOWS} bellows"
+    if len(run.bellows) > MAX_SKETCHED_BELLOWS:
+        return f"it has more than {MAX_SKETCHED_BELLOWS} bellows"
     return ""
 
 

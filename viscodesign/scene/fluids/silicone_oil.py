@@ -11,7 +11,7 @@ from viscodesign.scene.spec_part import invalid_at
 
 AT = 298.15
 """Temperature at which oils are graded, 25 degC [K]."""
-LEAST_GRADE, MOST_GRADE = 20.0, 100_000.0
+MIN_GRADE, MAX_GRADE = 20.0, 100_000.0
 GRADES = (20.0, 50.0, 100.0, 350.0, 1e3, 1e4, 1e5)
 DENSITIES = (950.0, 960.0, 965.0, 970.0, 971.0, 974.0, 977.0)
 """At 25 degC, by grade [kg/m3]."""
@@ -38,10 +38,10 @@ class SiliconeOil(NamedFluid):
     @classmethod
     def properties(cls, temperature: float, pressure: float, fraction: float) -> FluidProperties:
         del pressure, fraction
-        if not LEAST_GRADE <= cls.grade <= MOST_GRADE:
+        if not MIN_GRADE <= cls.grade <= MAX_GRADE:
             raise invalid_at(
                 "name",
-                f"silicone oils are known from {LEAST_GRADE:g} to {MOST_GRADE:g} cSt; got "
+                f"silicone oils are known from {MIN_GRADE:g} to {MAX_GRADE:g} cSt; got "
                 f"{cls.grade:g} cSt. Give viscosity and density instead",
             )
         kinematic = cls.grade * 1e-6 * 10 ** (763.1 * (1 / temperature - 1 / AT))

@@ -12,7 +12,7 @@ from viscodesign.scene.inputs.base import SmoothInput, points_of, shortest_swing
 from viscodesign.scene.spec_part import copied, invalid_at
 from viscodesign.units import Pressure, PressureLevel, Time
 
-MOST_HARMONICS = 12
+MAX_HARMONICS = 12
 """Number of harmonics that every input carries, so that one set of equations serves them all."""
 SWING_SAMPLES = 64
 """Samples of the highest harmonic's period, between which swings are sought."""
@@ -25,7 +25,7 @@ class HarmonicsInput(SmoothInput):
     """
 
     name: ClassVar[str] = "harmonics"
-    coefficients: ClassVar[int] = 2 + 2 * MOST_HARMONICS
+    coefficients: ClassVar[int] = 2 + 2 * MAX_HARMONICS
     kind: Literal["harmonics"]
     cycle: Time = Field(alias="period", gt=0, description="Period of the first harmonic")
     mean: PressureLevel = Field(0.0, description="Mean gauge pressure above the baseline")
@@ -37,8 +37,8 @@ class HarmonicsInput(SmoothInput):
     @model_validator(mode="after")
     def _check_counts(self) -> HarmonicsInput:
         for key, own in (("cosine", self.cosine), ("sine", self.sine)):
-            if len(own) > MOST_HARMONICS:
-                raise invalid_at(key, f"at most {MOST_HARMONICS} harmonics; got {len(own)}")
+            if len(own) > MAX_HARMONICS:
+                raise invalid_at(key, f"at most {MAX_HARMONICS} harmonics; got {len(own)}")
         if not self.cosine and not self.sine:
             raise invalid_at("cosine", "missing, and sine is, too; give at least one amplitude")
         return self
@@ -53,8 +53,8 @@ class HarmonicsInput(SmoothInput):
         turn = piece[1] * t
         c, s = functions.cos(turn), functions.sin(turn)
         found, ck, sk = piece[0], c, s
-        for k in range(MOST_HARMONICS):
-            found = found + piece[2 + k] * ck + piece[2 + MOST_HARMONICS + k] * sk
+        for k in range(MAX_HARMONICS):
+            found = found + piece[2 + k] * ck + piece[2 + MAX_HARMONICS + k] * sk
             ck, sk = ck * c - sk * s, sk * c + ck * s
         return found
 
@@ -64,9 +64,9 @@ class HarmonicsInput(SmoothInput):
             self.mean,
             2 * math.pi / self.cycle,
             *self.cosine,
-            *(0.0,) * (MOST_HARMONICS - len(self.cosine)),
+            *(0.0,) * (MAX_HARMONICS - len(self.cosine)),
             *self.sine,
-            *(0.0,) * (MOST_HARMONICS - len(self.sine)),
+            *(0.0,) * (MAX_HARMONICS - len(self.sine)),
         )
 
     def later(self, delay: float) -> HarmonicsInput:
@@ -97,7 +97,7 @@ class HarmonicsInput(SmoothInput):
     def steepest(self) -> float:
         """Largest slope of any sign [Pa/s]."""
         turn = 2 * math.pi / self.cycle
-        orders = np.arange(1, MOST_HARMONICS + 1) * turn
+        orders = np.arange(1, MAX_HARMONICS + 1) * turn
         cosine, sine = self._amplitudes()
         slope = self.model_copy(
             update={"mean": 0.0, "cosine": tuple(orders * sine), "sine": tuple(-orders * cosine)}
@@ -112,9 +112,9 @@ class HarmonicsInput(SmoothInput):
         return shortest_swing(profile) if np.ptp([p for _, p in profile]) > 0.0 else math.inf
 
     def _amplitudes(self) -> tuple[np.ndarray, np.ndarray]:
-        """(MOST_HARMONICS,) of cosines and of sines."""
+        """(MAX_HARMONICS,) of cosines and of sines."""
         own = np.array(self.numbers()[2:])
-        return own[:MOST_HARMONICS], own[MOST_HARMONICS:]
+        return own[:MAX_HARMONICS], own[MAX_HARMONICS:]
 
     def _level_turns(self) -> np.ndarray:
         """Parts of a period at which the slope is zero, in [0, 1).
@@ -123,7 +123,7 @@ class HarmonicsInput(SmoothInput):
         the unit circle are sought, and those near it do no harm as candidates.
         """
         cosine, sine = self._amplitudes()
-        orders = np.arange(1, MOST_HARMONICS + 1)
+        orders = np.arange(1, MAX_HARMONICS + 1)
         half = orders * (sine + 1j * cosine) / 2
         used = np.flatnonzero(np.abs(half) > 1e-14 * np.abs(half).max(initial=0.0))
         if not used.size:

@@ -13,7 +13,7 @@ from viscodesign.errors import Fault, SpecError, described
 from viscodesign.scene.reading.fault_messages import explain_validation
 from viscodesign.scene.reading.sources import SpecSource, read_spec
 from viscodesign.scene.spec_part import KeyFault, SpecPart, invalid, raise_faults
-from viscodesign.scene.tables.clamp_frame import FEWEST_MARKERS, are_on_a_line
+from viscodesign.scene.tables.clamp_frame import MIN_MARKERS, are_on_a_line
 from viscodesign.scene.tables.space_markers import (
     MarkerPlaces,
     TipInSpace,
@@ -66,9 +66,9 @@ class MarkersFile(SpecPart):
     def _span_a_plane(
         cls, clamp: dict[str, tuple[float, float, float]]
     ) -> dict[str, tuple[float, float, float]]:
-        if len(clamp) < FEWEST_MARKERS or are_on_a_line(np.array(list(clamp.values()))):
+        if len(clamp) < MIN_MARKERS or are_on_a_line(np.array(list(clamp.values()))):
             raise invalid(
-                f"needs {FEWEST_MARKERS} markers or more that are not on one line; got {len(clamp)}"
+                f"needs {MIN_MARKERS} markers or more that are not on one line; got {len(clamp)}"
             )
         return clamp
 

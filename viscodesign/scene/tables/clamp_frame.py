@@ -6,7 +6,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 
-FEWEST_MARKERS = 3
+MIN_MARKERS = 3
 ON_A_LINE = 0.05
 """Second largest extent of markers, over the largest, below which they lie on a line."""
 

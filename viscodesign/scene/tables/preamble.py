@@ -11,7 +11,7 @@ from viscodesign.scene.tables.cells import COMMENT_SIGNS, delimiter_of, is_numer
 from viscodesign.scene.tables.header_units import header_unit, unit_factor
 from viscodesign.units import Angle, Length, Pressure, Time, Volume
 
-MOST_LINES = 200
+MAX_LINES = 200
 """Lines above the first number that are looked through."""
 KINDS = tuple(get_args(alias)[1] for alias in (Time, Pressure, Length, Angle, Volume))
 """Quantities that a column may have."""
@@ -40,7 +40,7 @@ def header_below(text: str) -> HeaderBelow | None:
     the first lines of all; names and units as one header.
     """
     above: list[tuple[int, str]] = []
-    for number, (start, end) in enumerate(islice(lines_of(text), MOST_LINES), start=1):
+    for number, (start, end) in enumerate(islice(lines_of(text), MAX_LINES), start=1):
         line = text[start:end].strip()
         if not line or line.startswith(COMMENT_SIGNS):
             continue

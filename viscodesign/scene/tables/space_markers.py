@@ -23,7 +23,7 @@ LENGTH, TIME = get_args(Length)[1], get_args(Time)[1]
 AXES = "xyz"
 TIP = "tip"
 _IN_SPACE = re.compile(r"(?P<marker>.+)_(?P<axis>[xyz])")
-MOST_MISFIT = 0.1
+MAX_MISFIT = 0.1
 """Distance of the clamp's markers from their stated places, relative to their extent, from which
 the places are those of other markers, or in another unit."""
 
@@ -159,7 +159,7 @@ def _frame(
     frame = clamp_frame(np.vstack([np.nanmedian(clamped, axis=0), before]), wanted)
     extent = float(np.ptp(wanted, axis=0).max())
     moved = float(np.nanmax(np.linalg.norm(clamped - np.nanmedian(clamped, axis=0), axis=2)))
-    if frame.misfit > MOST_MISFIT * extent:
+    if frame.misfit > MAX_MISFIT * extent:
         raise _fault(
             file,
             f"the markers are {1e3 * frame.misfit:.3g} mm from their places at best, which are "

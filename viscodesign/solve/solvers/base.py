@@ -20,7 +20,7 @@ Columns = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 FINEST = 1e-3
 """Tolerance by which events are located, over that of the run."""
-LEAST_TOLERANCE = 1e-11
+MIN_TOLERANCE = 1e-11
 
 
 def _never() -> bool:
@@ -77,7 +77,7 @@ class Solver(ABC):
         """
         if self.is_exact or self.is_finest:
             return None
-        solver = type(self)(problem, max(self.tolerance * FINEST, LEAST_TOLERANCE))
+        solver = type(self)(problem, max(self.tolerance * FINEST, MIN_TOLERANCE))
         solver.is_finest = True
         return solver
 

@@ -18,7 +18,7 @@ from viscodesign.cli.texts.check_text import (
     share,
     verdict_lines,
 )
-from viscodesign.cli.texts.run_text import MOST_RETRIES, summary_lines
+from viscodesign.cli.texts.run_text import MAX_RETRIES, summary_lines
 from viscodesign.results.findings import Classification, RetryAttempt, Scales, Verdict
 from viscodesign.results.trajectory import Accuracy, Trajectory
 
@@ -86,11 +86,11 @@ def test_retries_are_printed(trajectory: Trajectory) -> None:
 
 
 def test_of_many_retries_the_first_are_printed(trajectory: Trajectory) -> None:
-    rungs = tuple(RetryAttempt(0.1 * k, f"attempt {k}", False, "") for k in range(MOST_RETRIES + 3))
+    rungs = tuple(RetryAttempt(0.1 * k, f"attempt {k}", False, "") for k in range(MAX_RETRIES + 3))
     text = _summary(replace(trajectory, ladder=rungs))
-    assert text.count("  retry ") == MOST_RETRIES
-    assert f"attempt {MOST_RETRIES - 1}" in text
-    assert f"attempt {MOST_RETRIES}," not in text
+    assert text.count("  retry ") == MAX_RETRIES
+    assert f"attempt {MAX_RETRIES - 1}" in text
+    assert f"attempt {MAX_RETRIES}," not in text
 
 
 def test_an_error_that_was_not_estimated(trajectory: Trajectory) -> None:

@@ -15,7 +15,7 @@ from tests.studies import MODELS, POINTS, REFERENCE, STEPLESS, made_study, point
 from tests.unit.report.charts.conftest import Save, assert_on_page, words
 from viscodesign.report.charts.accuracy import draw_accuracy
 from viscodesign.report.charts.accuracy_axes import percent_words, time_words
-from viscodesign.report.charts.accuracy_labels import MOST_LABELS
+from viscodesign.report.charts.accuracy_labels import MAX_LABELS
 from viscodesign.report.layout.look import PLAIN
 from viscodesign.results.accuracy_points import Model
 from viscodesign.results.accuracy_study import AccuracyStudy
@@ -119,7 +119,7 @@ def test_the_front_has_a_limited_number_of_labels(drawn: Drawn) -> None:
         told
     )
     crowd = [text for text in words(drawn(CASES["crowded"]())) if ", tol " in text]
-    assert len(crowd) <= MOST_LABELS + 1
+    assert len(crowd) <= MAX_LABELS + 1
 
 
 def test_errors_below_that_of_the_reference_are_marked(drawn: Drawn) -> None:

@@ -11,7 +11,7 @@ from matplotlib.text import Text
 from tests.trajectories import made_run
 from tests.unit.report.cases import CASES
 from tests.unit.report.charts.conftest import Save, assert_on_page
-from viscodesign.report.charts.tip import MOST_INSTANTS, draw_tip
+from viscodesign.report.charts.tip import MAX_INSTANTS, draw_tip
 from viscodesign.report.layout.snapshots import spread_instants
 
 RUNS = {
@@ -27,7 +27,7 @@ def test_every_shape_has_its_time(save: Save, name: str) -> None:
     run = RUNS[name]()
     figure = save(draw_tip, run)
     times = [t for t in figure.findobj(Text) if re.fullmatch(r"[\d.]+ s", t.get_text())]
-    rows = run.shape_rows[spread_instants(run, MOST_INSTANTS)]
+    rows = run.shape_rows[spread_instants(run, MAX_INSTANTS)]
     told = sorted(float(text.get_text()[:-2]) for text in times)
     assert told == pytest.approx(sorted(run.time[rows]), abs=0.006)
     boxes = [text.get_window_extent() for text in times]
