@@ -73,12 +73,19 @@ class _CodeWalk(Walk):
         if not issubclass(kind, Effect | Input):
             return _Same((kind,))
         found = vars(kind).copy()  # another thread may write a lazy method
+        now = _Same(tuple(found.values()))
+        known = _known_members.get(kind)
+        if known is not None and known[0] == now:
+            return known[1]
         members = {name: own for name, own in found.items() if not name.startswith(INTERNAL)}
         if _package(kind.__module__) != PACKAGE:
             return tuple((name, self.key_of(_plain(own))) for name, own in members.items())
         code = [own for own in map(_plain, members.values()) if type(own) is FunctionType]
         foreign = [self.key_of(own) for own in code if _package(own.__module__) != PACKAGE]
-        return _Same(tuple(members.values())), tuple(foreign)
+        key = _Same(tuple(members.values())), tuple(foreign)
+        if not foreign:
+            _known_members[kind] = now, key
+        return key
 
     def _function(self, function: FunctionType) -> Hashable:
         package = _package(function.__module__)
@@ -110,6 +117,10 @@ class _Same:
 
     def __hash__(self) -> int:
         return hash(tuple(map(id, self.values)))
+
+
+_known_members: dict[type, tuple[_Same, Hashable]] = {}
+"""Classes of this package whose code is their own: their members, and the key of these."""
 
 
 def _package(module: str) -> str:
