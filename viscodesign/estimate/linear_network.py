@@ -20,8 +20,8 @@ class LinearNetworks:
     """S networks of N nodes that store, driven by U pressures; amounts relative to the start's.
 
     ``conductance`` (S, N, N) with held pressures on the diagonal, ``feed`` (S, N, U)
-    [m3/(Pa s)], ``capacity`` (S, N) [m3/Pa], ``drive`` (T, U) pressures above the baseline,
-    ``pushed`` (T, N) volume that plungers push into a node [m3].
+    [m3/(Pa s)], ``capacity`` (S, N) [m3/Pa], ``drive`` (U, T) pressures above the baseline,
+    ``pushed`` (N, T) volume that plungers push into a node [m3].
     """
 
     time: np.ndarray
@@ -52,72 +52,80 @@ class LinearNetworks:
     def pressures(
         self, taken: np.ndarray | None = None, head: np.ndarray | None = None
     ) -> np.ndarray:
-        """Gauge pressures (S, T, N).
+        """Gauge pressures (S, N, T).
 
-        ``taken`` (S, T, B) volumes that the bellows take up besides; ``head`` (S, T, B) pressure
+        ``taken`` (S, B, T) volumes that the bellows take up besides; ``head`` (S, B, T) pressure
         that the fluid's weight gives them against the inlet. Bellows are the first nodes.
         """
         # y = p - given / capacity has no derivative of what is given: C y' = -G p + feed u.
         # The mean mode of a sealed part has the rate zero and stays: its amount is kept.
-        root, rate, modes = self._modes
-        jump = given_volumes(self.pushed, taken) / self.capacity[:, None]
-        pull = self.drive @ self.feed.swapaxes(1, 2) - jump @ self.conductance
+        rate, shapes = self._modes
+        forcing = shapes.swapaxes(1, 2)
+        forced = (forcing @ self.feed) @ self.drive
+        given = given_volumes(self.pushed, taken)
+        jump = None if given is None else given / self.capacity[..., None]
+        if jump is not None:
+            forced -= (forcing @ self.conductance.swapaxes(1, 2)) @ jump
         if head is not None:
-            pull = pull + head @ self.conductance[:, : head.shape[-1]]
-        forced = (pull / root[:, None]) @ modes
-        found = self._respond(rate, forced, modes / root[..., None])
-        return np.asarray(self.baseline + (found @ modes.swapaxes(1, 2)) / root[:, None] + jump)
+            lifted = self.conductance[:, : head.shape[1]].swapaxes(1, 2)
+            forced += (forcing @ lifted) @ head
+        found = shapes @ self._respond(rate, forced, shapes)
+        found += self.baseline
+        return np.asarray(found if jump is None else found + jump)
 
     @cached_property
-    def _modes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Roots of the capacities (S, N), rates (S, N) and modes (S, N, N) at rest."""
+    def _modes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Rates (S, N) and shapes (S, N, N) of the modes at rest, whose capacities are one."""
         root = np.sqrt(self.capacity)
         matrix = self.conductance / (root[:, :, None] * root[:, None])
         rate, modes = np.linalg.eigh((matrix + matrix.swapaxes(1, 2)) / 2)
-        return root, np.where(rate < 1e-12 * np.maximum(rate[:, -1:], 1e-300), 0.0, rate), modes
+        rate = np.where(rate < 1e-12 * np.maximum(rate[:, -1:], 1e-300), 0.0, rate)
+        return rate, modes / root[..., None]
 
     @cached_property
     def _has_inertance(self) -> np.ndarray:
         """(S,)"""
         return np.asarray(np.any(self.inertance > 0.0, axis=1))
 
-    def _respond(self, rate: np.ndarray, forced: np.ndarray, modes: np.ndarray) -> np.ndarray:
-        """Modes (S, T, N) of all networks, as many filters."""
-        drive, found = forced.swapaxes(0, 1), np.empty((len(self.time), *rate.shape))
+    def _respond(self, rate: np.ndarray, forced: np.ndarray, shapes: np.ndarray) -> np.ndarray:
+        """Modes (S, N, T) of all networks, as many filters."""
         late = self._has_inertance
-        if late.any():
-            found[:, late] = self._swing(rate[late], drive[:, late], modes[late], late)
-        if not late.all():
-            found[:, ~late] = self._settle(rate[~late], drive[:, ~late])
-        return found.swapaxes(0, 1)
+        if late.all():
+            return self._swing(rate, forced, shapes, late)
+        if not late.any():
+            return self._settle(rate, forced)
+        found = np.empty_like(forced)
+        found[late] = self._swing(rate[late], forced[late], shapes[late], late)
+        found[~late] = self._settle(rate[~late], forced[~late])
+        return found
 
     def _swing(
-        self, rate: np.ndarray, drive: np.ndarray, modes: np.ndarray, own: np.ndarray
+        self, rate: np.ndarray, drive: np.ndarray, shapes: np.ndarray, own: np.ndarray
     ) -> np.ndarray:
-        """Modes (T, n, N) of networks with inertance, for ``drive`` (T, n, N); ``own`` (S,)."""
+        """Modes (n, N, T) of networks with inertance, for ``drive`` (n, N, T); ``own`` (S,)."""
         # A mode with the flows f a: (sum I f^2) a' + (sum R f^2) a = rate y, y' = -rate a.
         # Exact where all tubes have one ratio of inertance to resistance.
-        flows = (self.tubes[own, :, : modes.shape[1]] @ modes) ** 2
+        flows = (self.tubes[own, :, : shapes.shape[1]] @ shapes) ** 2
         lost = (self.resistance[own, None] @ flows + 1e-300)[:, 0]
         delay = (self.inertance[own, None] @ flows)[:, 0] / lost + 1e-30
         numbers = delay.ravel(), (rate**2 / lost).ravel()
-        filtered = (drive * (rate / lost)).reshape(len(drive), -1)
+        filtered = (drive * (rate / lost)[..., None]).reshape(-1, drive.shape[-1])
         return second_order(*numbers, self.time, filtered, self.start).reshape(drive.shape)
 
     def _settle(self, rate: np.ndarray, drive: np.ndarray) -> np.ndarray:
-        """y' = drive - rate y (T, n, N)."""
-        rates, forced = rate.ravel(), drive.reshape(len(drive), -1)
+        """y' = drive - rate y (n, N, T)."""
+        rates, forced = rate.ravel(), drive.reshape(-1, drive.shape[-1])
         # What settles far within every step follows at once.
-        found = forced / np.where(rates > 0, rates, 1.0)
-        settled = np.where(rates > 0, found[0], 0.0)
+        found = forced / np.where(rates > 0, rates, 1.0)[:, None]
+        settled = np.where(rates > 0, found[:, 0], 0.0)
         slow = rates * self.time[-1] < FAST
-        filters = -rates[slow], self.time, forced[:, slow]
-        found[:, slow] = first_order(*filters, start_of(self.start, settled[slow], *filters))
+        filters = -rates[slow], self.time, forced[slow]
+        found[slow] = first_order(*filters, start_of(self.start, settled[slow], *filters))
         return found.reshape(drive.shape)
 
     def flows(self, pressure: np.ndarray) -> np.ndarray:
-        """Flow of every tube (S, T, Q) [m3/s]."""
-        driven = np.asarray(self._above(pressure) @ self.tubes.swapaxes(1, 2))
+        """Flow of every tube (S, Q, T) [m3/s]."""
+        driven = self._of_ends(self.tubes, pressure)
         late = self._has_inertance
         if late.any():
             # Inertance: a flow comes up to what drives it after a while.
@@ -125,23 +133,26 @@ class LinearNetworks:
         return driven
 
     def _delayed(self, driven: np.ndarray, own: np.ndarray) -> np.ndarray:
-        """Flows (n, T, Q) of networks with inertance; ``own`` (S,)."""
+        """Flows (n, Q, T) of networks with inertance; ``own`` (S,)."""
         resistance = self.resistance[own]
-        driven = driven * (self.impedance[own] / resistance)[:, None]
-        delay = (self.inertance[own] / resistance).ravel()
-        drive = driven.swapaxes(0, 1).reshape(len(self.time), -1)
-        filters = -1 / delay, self.time, drive / delay
-        found = first_order(*filters, start_of(self.start, drive[0], *filters))
-        return found.reshape(len(self.time), *resistance.shape).swapaxes(0, 1)
+        driven = driven * (self.impedance[own] / resistance)[..., None]
+        rate = (resistance / self.inertance[own]).ravel()
+        drive = driven.reshape(len(rate), -1)
+        filters = -rate, self.time, drive * rate[:, None]
+        found = first_order(*filters, start_of(self.start, drive[:, 0], *filters))
+        return found.reshape(driven.shape)
 
     def tube_pressures(self, pressure: np.ndarray) -> np.ndarray:
-        """Mean gauge pressure of every tube (S, T, Q), from those of the nodes (S, T, N) [Pa]."""
-        return np.asarray(self.baseline + self._above(pressure) @ self.ends.T)
+        """Mean gauge pressure of every tube (S, Q, T), from those of the nodes (S, N, T) [Pa]."""
+        return self.baseline + self._of_ends(self.ends, pressure)
 
-    def _above(self, pressure: np.ndarray) -> np.ndarray:
-        """Pressures of nodes and inlets above the baseline (S, T, N + U) [Pa]."""
-        drive = np.broadcast_to(self.drive, (len(pressure), *self.drive.shape))
-        return np.concatenate([pressure - self.baseline, drive], axis=-1)
+    def _of_ends(self, parts: np.ndarray, pressure: np.ndarray) -> np.ndarray:
+        """Sums over the nodes (S, N, T) and inlets of parts (..., Q, N + U) of what they have
+        above the baseline [Pa].
+        """
+        nodes = pressure.shape[1]
+        above = parts[..., :nodes] @ (pressure - self.baseline)
+        return np.asarray(above + parts[..., nodes:] @ self.drive)
 
 
 @dataclass(frozen=True)
@@ -149,7 +160,7 @@ class UniformNetworks:
     """S networks with one pressure per connected part; the same questions."""
 
     held: np.ndarray
-    """(T, N) gauge pressures of nodes that an inlet feeds [Pa]."""
+    """(N, T) gauge pressures of nodes that an inlet feeds [Pa]."""
     sealed: tuple[np.ndarray, ...]
     """Indices of the nodes of every sealed part."""
     capacity: np.ndarray
@@ -164,25 +175,29 @@ class UniformNetworks:
     def pressures(
         self, taken: np.ndarray | None = None, head: np.ndarray | None = None
     ) -> np.ndarray:
-        """Gauge pressures (S, T, N), as for linear networks; a sealed part shares what it holds."""
-        given = given_volumes(self.pushed, taken)
+        """Gauge pressures (S, N, T), as for linear networks; a sealed part shares what it holds."""
         found = np.repeat(self.held[None], len(self.capacity), axis=0)
+        given = given_volumes(self.pushed, taken)
         for part in self.sealed:
-            shared = given[..., part].sum(axis=-1) / self.capacity[:, part].sum(axis=1)[:, None]
-            found[..., part] = self.baseline + shared[..., None]
+            if given is not None:
+                shared = given[:, part].sum(axis=1) / self.capacity[:, part].sum(axis=1)[:, None]
+                found[:, part] = self.baseline + shared[:, None]
         if head is not None:
-            found[..., : head.shape[-1]] += head
+            found[:, : head.shape[1]] += head
         return found
 
     def flows(self, pressure: np.ndarray) -> np.ndarray:
-        """None: where the pressure is uniform nothing depends on them (S, T, 0)."""
-        return np.zeros((*pressure.shape[:2], 0))
+        """None: where the pressure is uniform nothing depends on them (S, 0, T)."""
+        return np.zeros((len(pressure), 0, pressure.shape[-1]))
 
 
-def given_volumes(pushed: np.ndarray, taken: np.ndarray | None) -> np.ndarray:
-    """Volumes that plungers push into the nodes (T, N), less what bellows take up (S, T, B)."""
+def given_volumes(pushed: np.ndarray, taken: np.ndarray | None) -> np.ndarray | None:
+    """Volumes that plungers push into the nodes (N, T), less what bellows take up (S, B, T).
+
+    (S or 1, N, T); None where nothing is given.
+    """
     if taken is None:
-        return pushed[None]
+        return pushed[None] if pushed.any() else None
     given = np.repeat(pushed[None], len(taken), axis=0)
-    given[..., : taken.shape[-1]] -= taken
+    given[:, : taken.shape[1]] -= taken
     return given

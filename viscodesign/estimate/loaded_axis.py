@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from viscodesign.estimate.laws_by_row import WallsByRow, rows_by_law
+from viscodesign.estimate.laws_by_row import Rows, WallsByRow, rows_by_law
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.native.angles import sines_and_cosines
 
 LARGEST_LOAD_TURN = 3.0
 """Angle by which a load may bend one piece [rad]."""
@@ -24,22 +25,28 @@ TINY = 1e-30
 
 @dataclass(frozen=True)
 class Axes:
-    """S axes as K pieces of arc at T samples; vectors are complex numbers x + i z."""
+    """S axes as K pieces of arc at T samples: numbers (S, K, T), and vectors (S, 2, K, T) with
+    their parts x and z.
+    """
 
     nodes: np.ndarray
-    """(S, T, K) ends of the pieces [m]."""
+    """Vectors to the ends of the pieces [m]."""
     middle: np.ndarray
-    """(S, T, K) middles of their chords [m]."""
+    """Vectors to the middles of their chords [m]."""
     direction: np.ndarray
-    """(S, T, K) unit tangents at the middles."""
+    """Unit tangents at the middles."""
     stretch: np.ndarray
-    """(S, T, K)"""
     load_curvature: np.ndarray
-    """(S, T, K) curvature by loads [1/m]."""
+    """Curvature by loads [1/m]."""
     load_stretch: np.ndarray
-    """(S, T, K) stretch by loads [1]."""
+    """Stretch by loads [1]."""
 
-    def take(self, rows: Sequence[int]) -> Axes:
+    @property
+    def tip(self) -> np.ndarray:
+        """Vectors to the tips (S, 2, T) [m]."""
+        return np.asarray(self.nodes[:, :, -1])
+
+    def take(self, rows: Rows) -> Axes:
         """Some of the axes, each as often as it is named."""
         return Axes(
             self.nodes[rows],
@@ -51,17 +58,17 @@ class Axes:
         )
 
     def shear_displacement(self, angle: np.ndarray, length: float) -> np.ndarray:
-        """How far pieces (S, T, K) of this reference length move their own ends by shear [m]."""
-        return np.asarray(-1j * length * self.stretch * angle * self.direction)
+        """How far pieces (S, K, T) of this reference length move their own ends by shear [m]."""
+        return np.asarray((length * self.stretch * angle)[:, None] * turned_back(self.direction))
 
     def sheared(self, angle: np.ndarray, length: float) -> Axes:
-        """The axes whose pieces (S, T, K) of this reference length also shear."""
+        """The axes whose pieces (S, K, T) of this reference length also shear."""
         moved = self.shear_displacement(angle, length)
-        nodes = np.cumsum(moved, axis=2)
+        nodes = np.tri(moved.shape[2]) @ moved
         return replace(self, nodes=self.nodes + nodes, middle=self.middle + nodes - moved / 2)
 
     def strained(self, curvature: np.ndarray, stretch: np.ndarray) -> Axes:
-        """The same places, with more elastic strain (S, T, K) from loads."""
+        """The same places, with more elastic strain (S, K, T) from loads."""
         return replace(
             self,
             load_curvature=self.load_curvature + curvature,
@@ -69,20 +76,32 @@ class Axes:
         )
 
 
-Loads = tuple[complex, complex, float, float, float]
-"""Acceleration x + i z [m/s2], tip force x + i z [N], tip mass [kg], held density [kg/m3], shear
+def turned_back(vectors: np.ndarray) -> np.ndarray:
+    """Vectors (S, 2, ...) a quarter turn back, from z to x."""
+    return np.stack([vectors[:, 1], -vectors[:, 0]], axis=1)
+
+
+Loads = tuple[tuple[float, float], tuple[float, float], float, float, float]
+"""Acceleration (x, z) [m/s2], tip force (x, z) [N], tip mass [kg], held density [kg/m3], shear
 angle per force [1/N]."""
 
 
 def loads_of(terms: Sequence[EstimateTerm]) -> Loads:
     """The sums of all terms."""
     return (
-        sum((complex(*term.acceleration) for term in terms), 0j),
-        sum((complex(*term.tip_force) for term in terms), 0j),
+        _sum_of_vectors(term.acceleration for term in terms),
+        _sum_of_vectors(term.tip_force for term in terms),
         sum(term.tip_mass for term in terms),
         sum(term.held_density for term in terms),
         sum(term.shear_compliance for term in terms),
     )
+
+
+def _sum_of_vectors(vectors: Iterable[tuple[float, float]]) -> tuple[float, float]:
+    x, z = 0.0, 0.0
+    for own_x, own_z in vectors:
+        x, z = x + own_x, z + own_z
+    return x, z
 
 
 class LoadEstimates:
@@ -100,105 +119,122 @@ class LoadEstimates:
         self._fluids = list(rows_by_law([one.fluid for one in networks]))
 
     @property
-    def has_head(self) -> bool:
-        """Whether the fluid's weight presses in any of them."""
-        return bool(np.any(self.held_density * np.abs(self.acceleration)))
+    def has_head(self) -> np.ndarray:
+        """Whether the fluid's weight presses in its bellows (S,)."""
+        return np.asarray((self.held_density != 0.0) & np.any(self.acceleration, axis=1))
 
-    def axes_at(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> Axes:
-        """The axes at pressures (S, T, B); ``uptake``: volumes that the rod adds [m3]."""
+    def axes_at(
+        self,
+        pressure: np.ndarray,
+        masses: np.ndarray | None = None,
+        uptake: np.ndarray | None = None,
+    ) -> Axes:
+        """The axes at pressures (S, B, T); ``masses``: those at these pressures, where known.
+
+        ``uptake``: volumes that the rod adds [m3].
+        """
         setting = self.setting
-        curvature, stretch = (s @ setting.spread.T for s in self._strains(pressure))
+        curvature, stretch = (setting.spread @ s for s in self._strains(pressure))
+        stretch += 1
         length = setting.length / setting.pieces
-        force = self.masses(pressure, uptake) * self.acceleration[:, None, None]
-        force[..., -1] += self.tip_force[:, None]
-        axes = _unloaded(curvature, 1 + stretch, length)
+        force = self.masses(pressure, uptake) if masses is None else masses
+        force = force[:, None] * self.acceleration[..., None, None]
+        force[:, :, -1] += self.tip_force[..., None]
+        axes = _unloaded(curvature, stretch, length)
         for _ in range(LOAD_ROUNDS if np.any(force) else 0):
             bent, drawn = self.elastic_strains(axes, force)
             shear = self.shear_angles(axes, force)
-            axes = _unloaded(curvature + bent, 1 + stretch + drawn, length)
+            axes = _unloaded(curvature + bent, stretch + drawn, length)
             axes = replace(axes, load_curvature=bent, load_stretch=drawn)
             axes = axes if shear is None else axes.sheared(shear, length)
         return axes
 
     def _strains(self, pressure: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Curvature and stretch of every section (S, T, sections)."""
+        """Curvature and stretch of every section (S, sections, T)."""
         _, bend, extend = self._bellow(pressure)
         sections = self.setting.sections
         return (
-            bend[..., sections:] - bend[..., :sections],
-            extend[..., sections:] + extend[..., :sections],
+            bend[:, sections:] - bend[:, :sections],
+            extend[:, sections:] + extend[:, :sections],
         )
 
     def masses(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
-        """Masses at the ends of the pieces (S, T or 1, K) [kg]."""
+        """Masses at the ends of the pieces (S, K, T or 1) [kg]."""
         setting = self.setting
         own = setting.piece_masses * setting.length / setting.pieces
-        mass = own * np.ones((len(pressure), 1, setting.pieces))
-        mass[..., -1] = mass[..., -1] / 2 + self.tip_mass[:, None]
-        return np.asarray(mass + self._held(pressure, uptake))
+        mass = own * np.ones((len(pressure), setting.pieces))
+        mass[:, -1] = mass[:, -1] / 2 + self.tip_mass
+        return np.asarray(mass[..., None] + self._held(pressure, uptake))
 
     def _held(self, pressure: np.ndarray, uptake: np.ndarray | None = None) -> np.ndarray:
-        """Mass of the fluid in every piece (S, T, K); (S, 1, K) where none of it counts [kg]."""
+        """Mass of the fluid in every piece (S, K, T); (S, K, 1) where none of it counts [kg]."""
         setting, density = self.setting, self.held_density
         if not density.any():
-            return np.zeros((len(pressure), 1, setting.pieces))
-        volume = setting.rest_volume + self._bellow(pressure)[0]
+            return np.zeros((len(pressure), setting.pieces, 1))
+        volume = np.reshape(setting.rest_volume, (-1, 1)) + self._bellow(pressure)[0]
         amount = np.maximum(volume if uptake is None else volume + uptake, 0.0)
         for fluid, rows in self._fluids:
             if fluid is not None:
                 amount[rows] *= fluid.density(pressure[rows], setting.ambient)
-        per_section = amount[..., : setting.sections] + amount[..., setting.sections :]
-        return np.asarray(density[:, None, None] * per_section @ setting.share.T)
+        per_section = amount[:, : setting.sections] + amount[:, setting.sections :]
+        return np.asarray(density[:, None, None] * (setting.share @ per_section))
 
     def distributed_mass(self, pressure: np.ndarray) -> np.ndarray:
         """Mass along the rods (S,), the fluid's by its mean over the motion [kg]."""
-        mean = np.mean(np.sum(self._held(pressure), axis=2), axis=1)
+        mean = np.mean(np.sum(self._held(pressure), axis=1), axis=1)
         return np.asarray(self.setting.mass_per_length * self.setting.length + mean)
 
     def head(self, axes: Axes) -> np.ndarray:
-        """Pressure that the weight of the fluid adds in every bellow (S, T, B) [Pa]."""
-        down = self.acceleration.conj()[:, None, None]
-        depth = (axes.middle * down).real @ self.setting.share
-        both = np.concatenate([depth, depth], axis=-1)
+        """Pressure that the weight of the fluid adds in every bellow (S, B, T) [Pa]."""
+        across, along = (down[:, None, None] for down in self.acceleration.T)
+        down = axes.middle[:, 0] * across + axes.middle[:, 1] * along
+        depth = self.setting.share.T @ down
+        both = np.concatenate([depth, depth], axis=1)
         return np.asarray(self.held_density[:, None, None] * both)
 
     def elastic_strains(self, axes: Axes, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Curvature and stretch that balance forces (S, T, K) at the ends of the pieces."""
+        """Curvature and stretch that balance forces (S, 2, K, T) at the ends of the pieces."""
         setting = self.setting
         carried = _sum_to_tip(force)
-        torque = _sum_to_tip((axes.nodes.conj() * force).imag)
-        moment = (axes.middle.conj() * carried).imag - torque
-        normal = (axes.direction.conj() * carried).real
+        torque = _sum_to_tip(_moment(axes.nodes, force))
+        moment = _moment(axes.middle, carried) - torque
+        along = axes.direction * carried
+        normal = along[:, 0] + along[:, 1]
         length = setting.length / setting.pieces
         most = LARGEST_LOAD_TURN
-        bending, extension = setting.piece_stiffnesses
+        bending, extension = (np.reshape(own, (-1, 1)) for own in setting.piece_stiffnesses)
         turn = np.clip(moment * (length / bending), -most, most)
         return turn / length, normal / extension
 
     def shear_angles(self, axes: Axes, force: np.ndarray) -> np.ndarray | None:
-        """Shear of the pieces (S, T, K) [rad] by the same forces; None where none shears."""
+        """Shear of the pieces (S, K, T) [rad] by the same forces; None where none shears."""
         if not self.shear_compliance.any():
             return None
-        across = -(axes.direction.conj() * _sum_to_tip(force)).imag
+        across = _moment(_sum_to_tip(force), axes.direction)
         angle = self.shear_compliance[:, None, None] * across
         return np.asarray(np.clip(angle, -LARGEST_SHEAR, LARGEST_SHEAR))
 
 
 def _unloaded(curvature: np.ndarray, stretch: np.ndarray, length: float) -> Axes:
-    """The axes of pieces with these total strains (S, T, K), none of them from loads."""
+    """The axes of pieces with these total strains (S, K, T), none of them from loads."""
     stretch = np.maximum(stretch, MIN_STRETCH)
     half_turn = curvature * (length / 2)
-    middle_turn = 2 * np.cumsum(half_turn, axis=2) - half_turn
+    pieces = half_turn.shape[1]
+    across, along = sines_and_cosines((2 * np.tri(pieces) - np.eye(pieces)) @ half_turn)
     # The sine of an angle over the angle, also at zero.
     angle = np.where(half_turn == 0.0, TINY, half_turn)
-    direction = np.empty(curvature.shape, dtype=complex)
-    direction.real, direction.imag = np.sin(middle_turn), np.cos(middle_turn)
-    chord = length * stretch * (np.sin(angle) / angle) * direction
-    nodes = np.cumsum(chord, axis=2)
+    direction = np.stack([across, along], axis=1)
+    chord = (length * stretch * (sines_and_cosines(angle)[0] / angle))[:, None] * direction
+    nodes = np.tri(pieces) @ chord
     nothing = np.zeros_like(curvature)
     return Axes(nodes, nodes - chord / 2, direction, stretch, nothing, nothing)
 
 
+def _moment(arm: np.ndarray, force: np.ndarray) -> np.ndarray:
+    """Moments (S, K, T) of forces about the clamp, from vectors (S, 2, K, T): x into z."""
+    return np.asarray(arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0])
+
+
 def _sum_to_tip(values: np.ndarray) -> np.ndarray:
-    """Sums from each piece to the tip, along the third axis."""
-    return np.asarray(np.cumsum(values[..., ::-1], axis=2)[..., ::-1])
+    """Sums from each piece to the tip (S, ..., K, T)."""
+    return np.asarray(np.tri(values.shape[-2]).T @ values)

@@ -1,6 +1,7 @@
 """Exact response of linear filters to a drive that is straight between its samples.
 
-A filter may have several channels, driven apart: the last axes of its drive.
+A filter may have several channels, driven apart: the axes of its drive between the first, which
+counts filters, and the last, which counts samples.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
+from viscodesign.native.angles import sines_and_cosines
 from viscodesign.native.loops import native_loops
 from viscodesign.native.machine import this_machine
 from viscodesign.native.source.filters import NEARLY_ZERO
@@ -32,53 +34,40 @@ class FilterStart(Enum):
 def first_order(
     rate: np.ndarray, time: np.ndarray, drive: np.ndarray, start: np.ndarray
 ) -> np.ndarray:
-    """y' = rate y + drive at every sample (T, M, ...).
+    """y' = rate y + drive at every sample (M, ..., T).
 
-    ``rate`` (M,) [1/s] may be complex, and else ``drive`` (T, M, ...); ``time`` (T,) ascending,
+    ``rate`` (M,) [1/s] may be complex; ``drive`` (M, ..., T) is real; ``time`` (T,) ascending,
     equal times are a jump; ``start`` (M, ...). Exact for a drive that is linear between samples.
     """
-    step, channels = np.diff(time), math.prod(drive.shape[2:])
-    flat, begin = drive.reshape(*drive.shape[:2], channels), start.reshape(len(rate), channels)
+    step, channels = np.diff(time), math.prod(drive.shape[1:-1])
+    flat = drive.reshape(len(rate), channels, len(time))
+    begin = start.reshape(len(rate), channels)
     try:
         found = _followed(rate, step, flat, begin)
     except NativeUnavailable:
         growth, level, ramp = (c[..., None] for c in _over_steps(rate, step))
-        gain = level * flat[:-1] + ramp * np.diff(flat, axis=0)
-        found = _joined(growth, gain, begin)
+        sampled = np.moveaxis(flat, -1, 0)
+        gain = level * sampled[:-1] + ramp * np.diff(sampled, axis=0)
+        found = np.moveaxis(_joined(growth, gain, begin), 0, -1)
     return found.reshape(drive.shape)
 
 
 def _followed(
     rate: np.ndarray, step: np.ndarray, drive: np.ndarray, start: np.ndarray
 ) -> np.ndarray:
-    """The same natively (T, M, C), for steps (T - 1,). Raises `NativeUnavailable`."""
+    """The same natively (M, C, T), for steps (T - 1,). Raises `NativeUnavailable`."""
     this_machine()  # code that was made before may have been switched off
-    z = step[:, None] * rate
-    if not np.iscomplexobj(rate):
-        if np.iscomplexobj(drive):  # its parts are channels of their own
-            parts = (np.ascontiguousarray(v, dtype=complex).view(float) for v in (drive, start))
-            return _by_loop("follow", rate, step, np.exp(z), *parts).view(complex)
-        return _by_loop("follow", rate, step, np.exp(z), drive, start)
-    growth = np.empty(z.shape, dtype=complex)
-    size = np.exp(z.real)
-    np.multiply(size, np.cos(z.imag), out=growth.real)
-    np.multiply(size, np.sin(z.imag), out=growth.imag)
-    return _by_loop("follow_turning", rate, step, growth, drive, start)
-
-
-def _by_loop(
-    loop: str,
-    rate: np.ndarray,
-    step: np.ndarray,
-    growth: np.ndarray,
-    drive: np.ndarray,
-    start: np.ndarray,
-) -> np.ndarray:
-    """Real drives by one of the loops of `native.source.filters`."""
+    loops = native_loops()
+    growth, loop, parts = np.exp(rate.real[:, None] * step), "follow", 1
+    if np.iscomplexobj(rate):
+        sine, cosine = sines_and_cosines(rate.imag[:, None] * step)
+        growth = np.stack([growth * cosine, growth * sine], axis=1)
+        loop, parts = "follow_turning", 2
     found = np.empty(drive.shape, dtype=rate.dtype)
-    numbers = (step, rate, growth, drive, np.array(start, dtype=rate.dtype), found)
+    added, begin = np.empty(2 * parts * len(step)), np.array(start, dtype=rate.dtype)
+    numbers = (step, rate, growth, drive, begin, added, found)
     reals = [np.ascontiguousarray(values).view(float).reshape(-1) for values in numbers]
-    native_loops()(loop, len(step), *drive.shape[1:], *reals)
+    loops(loop, len(step), *drive.shape[:2], *reals)
     return found
 
 
@@ -142,7 +131,7 @@ def _series(z: np.ndarray, order: int) -> np.ndarray:
 def second_order(
     delay: np.ndarray, rate: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
 ) -> np.ndarray:
-    """delay y'' + y' + rate y = drive at every sample (T, M, ...), real.
+    """delay y'' + y' + rate y = drive at every sample (M, ..., T), real.
 
     ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s]. A rate of zero stays at zero.
     """
@@ -154,7 +143,7 @@ def second_order(
         if own.all():
             return response(filters)
         if own.any():
-            found[:, own] = response(filters.some(own))
+            found[own] = response(filters.some(own))
     return found
 
 
@@ -175,11 +164,11 @@ class _SecondOrder:
 
     def some(self, own: np.ndarray) -> _SecondOrder:
         """Some of the filters."""
-        drive = self.drive[:, own]
-        return _SecondOrder(self.delay[own], self.rate[own], self.time, drive, self.start)
+        numbers = self.delay[own], self.rate[own], self.time, self.drive[own]
+        return _SecondOrder(*numbers, self.start)
 
     def of_pole(self, pole: np.ndarray) -> np.ndarray:
-        """The response of first order with one pole of each (T, M, ...)."""
+        """The response of first order with one pole of each (M, ..., T)."""
         return _from_start(pole, self.time, self.drive, self.start)
 
 
@@ -187,7 +176,7 @@ def _swinging(filters: _SecondOrder) -> np.ndarray:
     """Those with a pair of complex poles, of which one tells the other."""
     root = np.maximum(np.sqrt(-filters.square), MIN_ROOT)
     found = filters.of_pole((1j * root - 1) / (2 * filters.delay))
-    return np.asarray(found.imag * _wide(2 / root, filters.drive))
+    return np.asarray(found.imag * _wide(2 / root, found))
 
 
 def _creeping(filters: _SecondOrder) -> np.ndarray:
@@ -198,23 +187,23 @@ def _creeping(filters: _SecondOrder) -> np.ndarray:
     # The slow root by Vieta: the difference would lose its digits.
     slow = filters.rate / (delay * fast)
     late, early = (filters.of_pole(pole) for pole in (slow, fast))
-    return np.asarray((late - early) * _wide(1 / (delay * (slow - fast)), filters.drive))
+    return np.asarray((late - early) * _wide(1 / (delay * (slow - fast)), late))
 
 
 MIN_ROOT = 1e-6
 """Distance at which equal poles are held apart, relative to their size."""
 
 
-def _wide(values: np.ndarray, drive: np.ndarray) -> np.ndarray:
-    """One value per filter (M,), for all of its channels."""
-    return values.reshape(-1, *[1] * (drive.ndim - 2))
+def _wide(values: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """One value per filter (M,), for all that ``others`` (M, ...) has of it."""
+    return values.reshape(-1, *[1] * (others.ndim - 1))
 
 
 def _from_start(
     pole: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
 ) -> np.ndarray:
     """One pole's filter."""
-    held = drive[0] * _wide(-1 / pole, drive)
+    held = drive[..., 0] * _wide(-1 / pole, drive[..., 0])
     return first_order(pole, time, drive, start_of(start, held, pole, time, drive))
 
 
@@ -231,6 +220,6 @@ def start_of(
     if start is FilterStart.REST:
         return np.zeros_like(settled)
     # What is left of the start in the end, and what the drive has added to it.
-    lost = _wide(-np.expm1(rate * (time[-1] - time[0])), drive)
-    added = first_order(rate, time, drive, np.zeros_like(settled))[-1]
+    lost = _wide(-np.expm1(rate * (time[-1] - time[0])), settled)
+    added = first_order(rate, time, drive, np.zeros_like(settled))[..., -1]
     return np.where(lost != 0, added / np.where(lost != 0, lost, 1.0), 0.0)

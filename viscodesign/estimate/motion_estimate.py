@@ -48,13 +48,13 @@ class MotionEstimate:
 
     @cached_property
     def _path(self) -> np.ndarray:
-        """The tip x + i z at every sample (T,) [m]."""
+        """The tip x, z at every sample (2, T) [m]."""
         return np.asarray(tips([self])[0])
 
     @property
     def tip(self) -> np.ndarray:
         """The tip at every sample (T, 2) [m]."""
-        return np.column_stack((self._path.real, self._path.imag))
+        return self._path.T
 
     def distance(self, other: MotionEstimate) -> float:
         """Largest distance of the two tips over the output times [m]."""
@@ -70,13 +70,14 @@ class MotionEstimate:
 
 
 def tips(estimates: Sequence[MotionEstimate]) -> np.ndarray:
-    """The tips of estimates of one setting at every sample (S, T), x + i z [m]."""
+    """The tips of estimates of one setting x, z at every sample (S, 2, T) [m]."""
     return _rods(estimates).tips()
 
 
 def tip_distance(setting: EstimateSetting, one: np.ndarray, other: np.ndarray) -> float:
-    """Largest distance of two tips (T,) over the output times [m]."""
-    found = float(np.max(np.abs((one - other)[setting.output_mask])))
+    """Largest distance of two tips (2, T) over the output times [m]."""
+    apart = (one - other)[:, setting.output_mask]
+    found = float(np.max(np.hypot(apart[0], apart[1])))
     return found if math.isfinite(found) else math.inf
 
 

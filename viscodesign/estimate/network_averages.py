@@ -27,7 +27,7 @@ MIN_VOLUME = 0.02
 def averaged(
     setting: EstimateSetting, members: Sequence[NetworkEstimate]
 ) -> tuple[LinearNetworks | UniformNetworks, np.ndarray]:
-    """Networks of equal structure with their means, and pressures of their bellows (S, T, B).
+    """Networks of equal structure with their means, and pressures of their bellows (S, B, T).
 
     Means over the motion follow from it, and it from them. Always from the same start, and as many
     rounds where they do not settle: the remainder of the iteration is then alike in two estimates,
@@ -36,10 +36,10 @@ def averaged(
     """
     averages = _Averages(setting, members)
     networks = averages.networks()
-    pressure = networks.pressures()
+    pressure = _first_pressures(setting, networks, members)
     rows = np.flatnonzero([m.is_nonlinear for m in members])
     if not len(rows):
-        return networks, pressure[..., : setting.bellows]
+        return networks, pressure[:, : setting.bellows]
     moving, own, met = averages.take(rows), networks.take(rows), pressure[rows]
     for _ in range(AVERAGING_ROUNDS):
         moving.update(own, met)
@@ -53,7 +53,21 @@ def averaged(
             break
         if len(left) < len(rows):
             rows, moving, own, met = rows[left], moving.take(left), own.take(left), met[left]
-    return averages.networks(), pressure[..., : setting.bellows]
+    return averages.networks(), pressure[:, : setting.bellows]
+
+
+def _first_pressures(
+    setting: EstimateSetting,
+    networks: LinearNetworks | UniformNetworks,
+    members: Sequence[NetworkEstimate],
+) -> np.ndarray:
+    """Pressures (S, N, T) before any mean is known: members differ in what is linear alone."""
+    kinds = [(m.distributed, m.storage, m.inertance) for m in members]
+    new = {kind: kinds.index(kind) for kind in kinds if kind not in setting.first_pressures}
+    if new:
+        found = networks.take(list(new.values())).pressures()
+        setting.first_pressures.update(zip(new, found, strict=True))
+    return np.array([setting.first_pressures[kind] for kind in kinds])
 
 
 class _Averages:
@@ -99,29 +113,29 @@ class _Averages:
         )
 
     def update(self, networks: LinearNetworks | UniformNetworks, pressure: np.ndarray) -> None:
-        """Means over the motion at pressures (S, T, N)."""
+        """Means over the motion at pressures (S, N, T)."""
         if isinstance(networks, LinearNetworks) and (self._losses or self._fluids):
             flow = networks.flows(pressure)
             # A jump's first instant would count for a whole step: the later end represents it.
-            work = flow[:, 1:] ** 2 * np.diff(self._setting.time)[:, None] + 1e-300
-            share = work / np.sum(work, axis=1, keepdims=True)
+            work = flow[..., 1:] ** 2 * np.diff(self._setting.time) + 1e-300
+            share = work / np.sum(work, axis=2, keepdims=True)
             self._lose(flow, share)
             self._thin(networks.tube_pressures(pressure), share)
-        self._yield(pressure[..., : self._setting.bellows])
+        self._yield(pressure[:, : self._setting.bellows])
 
     def _lose(self, flow: np.ndarray, share: np.ndarray) -> None:
-        """Loss of every tube over that of slow laminar flow, from flows (S, T, Q)."""
+        """Loss of every tube over that of slow laminar flow, from flows (S, Q, T)."""
         mean = np.ones_like(self._multiplier)
         for (first, *others), rows in self._losses:
-            own = flow[rows]
+            own = flow[rows].swapaxes(1, 2)
             loss = first(own)
             for law in others:
                 loss = loss + law(own) - 1
-            mean[rows] = np.sum(loss[:, 1:] * share[rows], axis=1)
+            mean[rows] = np.sum(loss.swapaxes(1, 2)[..., 1:] * share[rows], axis=2)
         self._multiplier = np.exp(self._loss(np.log(self._multiplier), np.log(mean)))
 
     def _thin(self, pressure: np.ndarray, share: np.ndarray) -> None:
-        """Mean density of the fluid in all tubes over that in each, at pressures (S, T, Q).
+        """Mean density of the fluid in all tubes over that in each, at pressures (S, Q, T).
 
         In a row of tubes the thinner gas flows faster, and loses more of the pressure.
         """
@@ -129,7 +143,7 @@ class _Averages:
         for fluid, rows in self._fluids:
             gauge = self._absolute(pressure[rows]) - ambient
             ratios = np.asarray(fluid.density(gauge, ambient))
-            density = np.sum(ratios[:, 1:] * share[rows], axis=1)
+            density = np.sum(ratios[..., 1:] * share[rows], axis=2)
             self._thinness[rows] = np.mean(density, axis=1, keepdims=True) / density
 
     def _absolute(self, pressure: np.ndarray) -> np.ndarray:
@@ -138,22 +152,23 @@ class _Averages:
         return np.maximum(ambient + pressure, MIN_PRESSURE * ambient)
 
     def _yield(self, pressure: np.ndarray) -> None:
-        """Volume per pressure of every bellow, over its own range of pressures (S, T, B)."""
+        """Volume per pressure of every bellow, over its own range of pressures (S, B, T)."""
         setting = self._setting
-        low, high = pressure.min(axis=1), pressure.max(axis=1)
+        low, high = pressure.min(axis=2), pressure.max(axis=2)
         spread = np.maximum(high - low, 1e-3 * setting.swing)
-        middle = (low + high) / 2
-        below, above = (self._bellow(middle + side * spread / 2)[0] for side in (-1, 1))
-        self._compliance = np.maximum((above - below) / spread, 1e-3 * setting.compliance)
+        ends = ((low + high) / 2)[..., None] + spread[..., None] * np.array([-0.5, 0.5])
+        gained = np.diff(self._bellow(ends)[0])[..., 0]
+        self._compliance = np.maximum(gained / spread, 1e-3 * setting.compliance)
         if not self._fluids:
             return
-        volume = setting.rest_volume + self._bellow(pressure)[0]
-        volume = np.maximum(volume, MIN_VOLUME * setting.rest_volume)[:, 1:]
-        moved = np.abs(np.diff(pressure, axis=1)) + 1e-9 * setting.swing
-        share = moved / np.sum(moved, axis=1, keepdims=True)
+        rest = np.reshape(setting.rest_volume, (-1, 1))
+        volume = rest + self._bellow(pressure)[0]
+        volume = np.maximum(volume, MIN_VOLUME * rest)[..., 1:]
+        moved = np.abs(np.diff(pressure)) + 1e-9 * setting.swing
+        share = moved / np.sum(moved, axis=2, keepdims=True)
         for fluid, rows in self._fluids:
-            own = fluid.compliance(volume[rows], self._absolute(pressure[rows, 1:]))
-            self._compliance[rows] += np.sum(own * share[rows], axis=1)
+            own = fluid.compliance(volume[rows], self._absolute(pressure[rows][..., 1:]))
+            self._compliance[rows] += np.sum(own * share[rows], axis=2)
 
 
 FIRST_STEP = 0.5

@@ -22,7 +22,7 @@ class AveragedNetwork:
     networks: LinearNetworks | UniformNetworks
     row: int
     pressure: np.ndarray
-    """Gauge pressures of all bellows, without feedback of the rod (T, B) [Pa]."""
+    """Gauge pressures of all bellows, without feedback of the rod (B, T) [Pa]."""
 
 
 @dataclass(frozen=True)
@@ -76,18 +76,18 @@ class NetworkEstimate:
     @property
     def pressure(self) -> np.ndarray:
         """Gauge pressures of all bellows, without feedback of the rod (T, B) [Pa]."""
-        return self.averaged.pressure
+        return self.averaged.pressure.T
 
     def flows(self) -> np.ndarray:
         """Flows of all tubes (T, Q) [m3/s]."""
         networks = self._alone
-        return np.asarray(networks.flows(networks.pressures())[0])
+        return np.asarray(networks.flows(networks.pressures())[0].T)
 
     def tube_pressures(self) -> np.ndarray:
         """Mean gauge pressures of all tubes (T, Q) [Pa]; pressures must be distributed."""
         networks = self._alone
         assert isinstance(networks, LinearNetworks)
-        return np.asarray(networks.tube_pressures(networks.pressures())[0])
+        return np.asarray(networks.tube_pressures(networks.pressures())[0].T)
 
     @property
     def _alone(self) -> LinearNetworks | UniformNetworks:
@@ -114,11 +114,11 @@ def average_all(wanted: Sequence[NetworkEstimate]) -> list[AveragedNetwork]:
 def bellow_pressures(
     found: Sequence[AveragedNetwork], taken: np.ndarray, head: np.ndarray
 ) -> np.ndarray:
-    """Gauge pressures of the bellows (S, T, B) of networks with volumes taken up, and heads."""
+    """Gauge pressures of the bellows (S, B, T) of networks with volumes taken up, and heads."""
     pressure = np.empty_like(taken)
     kinds = {id(one.networks): one.networks for one in found}
     for key, networks in kinds.items():
         own = [k for k, one in enumerate(found) if id(one.networks) == key]
         some = networks.take([found[k].row for k in own])
-        pressure[own] = some.pressures(taken[own], head[own])[..., : taken.shape[-1]]
+        pressure[own] = some.pressures(taken[own], head[own])[:, : taken.shape[1]]
     return pressure

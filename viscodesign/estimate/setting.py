@@ -45,6 +45,8 @@ class EstimateSetting:
         self._memory: dict[Hashable, Any] = {}
         self.averages: dict[Hashable, Any] = {}
         """Networks with their means over the motion, by what they depend on."""
+        self.first_pressures: dict[Hashable, np.ndarray] = {}
+        """Pressures of all nodes (N, T) before any mean is known, by what they depend on [Pa]."""
         self.length = body.length
         self.sections = body.sections
         self.mass_per_length = body.mass_per_length
@@ -96,15 +98,15 @@ class EstimateSetting:
 
     @cached_property
     def drive(self) -> np.ndarray:
-        """Pressures of the inlets above the baseline (T, U) [Pa]."""
-        columns = [self._grid.values(name) for name in self.pressure_inlets]
-        return np.array(columns).T.reshape(len(self.time), len(columns))
+        """Pressures of the inlets above the baseline (U, T) [Pa]."""
+        rows = [self._grid.values(name) for name in self.pressure_inlets]
+        return np.array(rows).reshape(len(rows), len(self.time))
 
     def _pushed(self, nodes: tuple[str, ...]) -> np.ndarray:
-        """Volume that plungers push into every node (T, N) [m3]."""
-        pushed = np.zeros((len(self.time), len(nodes)))
+        """Volume that plungers push into every node (N, T) [m3]."""
+        pushed = np.zeros((len(nodes), len(self.time)))
         for name in self.syringes:
-            pushed[:, nodes.index(name)] = self._grid.values(name)
+            pushed[nodes.index(name)] = self._grid.values(name)
         return pushed
 
     def stores(self, names: Iterable[str]) -> tuple[str, ...]:
@@ -164,15 +166,14 @@ class EstimateSetting:
     def _uniform(
         self, nodes: tuple[str, ...], capacity: np.ndarray, pushed: np.ndarray
     ) -> UniformNetworks:
-        held = np.full((len(self.time), len(nodes)), self.baseline)
+        held = np.full((len(nodes), len(self.time)), self.baseline)
         sealed = []
         for part in self.graph.components():
             names = set(part.nodes)
             own = np.array([k for k, n in enumerate(nodes) if n in names], dtype=int)
             inlets = [n for n in part.inlets if n in self.pressure_inlets]
             if inlets:
-                column = self.pressure_inlets.index(inlets[0])
-                held[:, own] = self.baseline + self.drive[:, [column]]
+                held[own] = self.baseline + self.drive[self.pressure_inlets.index(inlets[0])]
             elif own.size:
                 sealed.append(own)
         return UniformNetworks(held, tuple(sealed), capacity, pushed, self.baseline)
@@ -200,8 +201,9 @@ class EstimateSetting:
 
     @cached_property
     def straight(self) -> np.ndarray:
-        """Ends x + i z of the pieces of the unstrained axis (K,) [m]."""
-        return np.asarray(1j * self.length * np.arange(1, self.pieces + 1) / self.pieces)
+        """Ends x, z of the pieces of the unstrained axis (2, K) [m]."""
+        along = self.length * np.arange(1, self.pieces + 1) / self.pieces
+        return np.stack([np.zeros(self.pieces), along])
 
     @cached_property
     def spread(self) -> np.ndarray:

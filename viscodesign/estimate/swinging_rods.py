@@ -7,7 +7,8 @@ from collections.abc import Callable, Hashable, Sequence
 
 import numpy as np
 
-from viscodesign.estimate.loaded_axis import Axes, LoadEstimates, loads_of
+from viscodesign.estimate.laws_by_row import Rows, rows_by_law
+from viscodesign.estimate.loaded_axis import Axes, LoadEstimates, loads_of, turned_back
 from viscodesign.estimate.modal_response import first_order, second_order, start_of
 from viscodesign.estimate.network_estimate import NetworkEstimate, average_all, bellow_pressures
 from viscodesign.estimate.setting import EstimateSetting
@@ -30,136 +31,183 @@ class SwingingRods:
         networks: Sequence[NetworkEstimate],
         terms: Sequence[Sequence[EstimateTerm]],
     ) -> None:
-        self._setting = setting
-        self._networks = networks
-        self._loads_of_each = [loads_of(own) for own in terms]
-        self._loads = LoadEstimates(setting, networks, self._loads_of_each)
-        self._has_inertia = _each(terms, lambda t: t.resists_acceleration) > 0
-        self._damping_time = _each(terms, lambda t: t.damping_time)
+        self.setting = setting
+        self.networks = networks
+        self.loads_of_each = [loads_of(own) for own in terms]
+        self.loads = LoadEstimates(setting, networks, self.loads_of_each)
+        self.has_inertia = _each(terms, lambda t: t.resists_acceleration) > 0
+        self.damping_time = _each(terms, lambda t: t.damping_time)
         bellows = np.zeros(setting.bellows)
-        self._per_force = _each(terms, lambda t: bellows + t.volume_per_force)
-        self._per_moment = _each(terms, lambda t: bellows + t.volume_per_moment)
+        self.per_force = _each(terms, lambda t: bellows + t.volume_per_force)
+        self.per_moment = _each(terms, lambda t: bellows + t.volume_per_moment)
         self._added_mass = np.array([_added_mass(setting.length, own) for own in terms])
 
-    @cached_property
-    def _pressure(self) -> np.ndarray:
-        """Gauge pressures of all bellows, without feedback of the rod (S, T, B) [Pa]."""
-        return np.array([found.pressure for found in average_all(self._networks)])
-
     def tips(self) -> np.ndarray:
-        """The tips x + i z at every sample (S, T) [m]."""
-        tip, moved = self._moving(self._first_axes())
-        takes_up = np.any(self._per_force) or np.any(self._per_moment)
-        if not (takes_up or self._loads.has_head):
-            return tip
-        uptake = self._volumes_taken_up(moved)
-        found = average_all(self._networks)
-        pressure = bellow_pressures(found, uptake, self._loads.head(moved))
-        return self._moving(self._loads.axes_at(pressure, uptake))[0]
+        """The tips x, z at every sample (S, 2, T) [m]."""
+        found = np.empty((len(self.networks), 2, len(self.setting.time)))
+        kinds = zip(self.has_inertia.tolist(), self._changes_pressures.tolist(), strict=True)
+        for (_, changes_pressures), rows in rows_by_law(list(kinds)):
+            alike = _RodsAlike(self, rows)
+            found[rows] = alike.tips(alike.answered() if changes_pressures else alike.axes)
+        return found
 
-    def _first_axes(self) -> Axes:
-        """The axes at the networks' pressures, those of equal networks and loads once."""
-        networks, loads, first = self._networks, self._loads_of_each, dict[Hashable, int]()
-        own = [first.setdefault((networks[k].key, loads[k]), k) for k in range(len(loads))]
+    @property
+    def _changes_pressures(self) -> np.ndarray:
+        """Whether forces in the rod, or the weight of the fluid, change the pressures (S,)."""
+        takes_up = np.any((self.per_force != 0.0) | (self.per_moment != 0.0), axis=1)
+        return np.asarray(takes_up | self.loads.has_head)
+
+    # -- at the networks' pressures, those of equal networks and loads once -------
+
+    @cached_property
+    def _kinds(self) -> tuple[list[int], list[int]]:
+        """Rods without equal networks and loads, and which of them is like each of all (S,)."""
+        first = dict[Hashable, int]()
+        keys = [(n.key, own) for n, own in zip(self.networks, self.loads_of_each, strict=True)]
+        own = [first.setdefault(key, k) for k, key in enumerate(keys)]
         rows = list(first.values())
-        some = LoadEstimates(
-            self._setting, [networks[k] for k in rows], [loads[k] for k in rows]
-        ).axes_at(self._pressure[rows])
-        return some.take([rows.index(k) for k in own])
+        return rows, [rows.index(k) for k in own]
 
-    # -- inertia and damping ----------------------------------------------------
+    @cached_property
+    def _undisturbed(self) -> tuple[LoadEstimates, np.ndarray, np.ndarray]:
+        """Loads, pressures of all bellows [Pa] and masses [kg] of those, without feedback."""
+        rows = self._kinds[0]
+        networks = [self.networks[k] for k in rows]
+        loads = LoadEstimates(self.setting, networks, [self.loads_of_each[k] for k in rows])
+        pressure = np.array([found.pressure for found in average_all(networks)])
+        return loads, pressure, loads.masses(pressure)
 
-    def _moving(self, axes: Axes) -> tuple[np.ndarray, Axes]:
-        """Tips (S, T), and the axes with the elastic strains that loads and inertia give."""
-        tip = axes.nodes[..., -1]
-        creeping = np.flatnonzero(~self._has_inertia & (self._damping_time > 0.0))
-        if creeping.size:
-            tip = tip.copy()
-            tip[creeping] += self._creep_lag(tip[creeping], self._damping_time[creeping])
-        if not np.any(self._has_inertia):
-            return tip, axes
-        # Inertial forces of the first mode are its stiffness times its lag.
-        lag = self._modal_lag(axes.nodes, self.bending_rate, self._setting.straight)
-        inertial = self._masses * self.bending_rate[:, None, None] ** 2 * lag
+    @cached_property
+    def axes(self) -> Axes:
+        """The axes of all rods, but for what inertia and feedback do to them."""
+        loads, pressure, masses = self._undisturbed
+        found, (rows, like) = loads.axes_at(pressure, masses), self._kinds
+        return found if len(rows) == len(like) else found.take(np.array(like))
+
+    @cached_property
+    def masses(self) -> np.ndarray:
+        """Masses at the ends of the pieces (S, K, T or 1) [kg]."""
+        return np.asarray(self._undisturbed[2][self._kinds[1]])
+
+    @cached_property
+    def _distributed_mass(self) -> np.ndarray:
+        loads, pressure, _ = self._undisturbed
+        return loads.distributed_mass(pressure)[self._kinds[1]]
+
+    @cached_property
+    def bending_rate(self) -> np.ndarray:
+        """Angular frequency of the first bending mode (S,) [1/s]."""
+        setting = self.setting
+        mass = EFFECTIVE_MASS * self._distributed_mass * (1 + self._added_mass)
+        stiffness = 3 * setting.bending_stiffness / setting.length**3
+        return np.asarray(np.sqrt(stiffness / (mass + self.loads.tip_mass)))
+
+    @cached_property
+    def axial_rate(self) -> np.ndarray:
+        """Angular frequency of the first stretching mode (S,) [1/s]."""
+        mass = 4 / math.pi**2 * self._distributed_mass + self.loads.tip_mass
+        stiffness = self.setting.extension_stiffness / self.setting.length
+        return np.asarray(np.sqrt(stiffness / mass))
+
+
+class _RodsAlike:
+    """Some of the rods (n,): all with inertia or all without."""
+
+    def __init__(self, rods: SwingingRods, rows: Rows) -> None:
+        self._setting = rods.setting
+        own = np.arange(len(rods.networks))[rows]
+        self._networks = [rods.networks[k] for k in own]
+        loads = [rods.loads_of_each[k] for k in own]
+        self._loads = LoadEstimates(rods.setting, self._networks, loads)
+        self._has_inertia = bool(rods.has_inertia[own[0]])
+        self._damping_time = rods.damping_time[rows]
+        self._per_force, self._per_moment = rods.per_force[rows], rods.per_moment[rows]
+        self.axes = rods.axes.take(rows)
+        self._masses = rods.masses[rows]
+        self._bending_rate, self._axial_rate = rods.bending_rate[rows], rods.axial_rate[rows]
+
+    def tips(self, axes: Axes) -> np.ndarray:
+        """Tips (n, 2, T) of rods that would be at these axes without inertia and damping [m]."""
+        tip = axes.tip
+        if not self._has_inertia:
+            return self._crept(tip)
+        inertial = self._inertial(axes)
         bent, drawn = self._loads.elastic_strains(axes, inertial)
         moved = self._tip_displacement(axes, bent, drawn) + self._stretching_lag(axes)
         shear = self._loads.shear_angles(axes, inertial)
         if shear is not None:
             length = self._setting.length / self._setting.pieces
-            moved = moved + axes.shear_displacement(shear, length).sum(axis=2)
-        return tip + moved, axes.strained(bent, drawn)
+            moved += axes.shear_displacement(shear, length).sum(axis=2)
+        return np.asarray(tip + moved)
+
+    # -- inertia and damping ----------------------------------------------------
+
+    def _inertial(self, axes: Axes) -> np.ndarray:
+        """Inertial forces at the ends of the pieces (n, 2, K, T): the first mode's stiffness times
+        its lag [N].
+        """
+        lag = self._modal_lag(axes.nodes - self._setting.straight[..., None], self._bending_rate)
+        lag *= (self._masses * self._bending_rate[:, None, None] ** 2)[:, None]
+        return lag
 
     def _tip_displacement(self, axes: Axes, bent: np.ndarray, drawn: np.ndarray) -> np.ndarray:
-        """How far small strains of the pieces move the tips (S, T) [m]."""
+        """How far small strains of the pieces move the tips (n, 2, T) [m]."""
         setting, most = self._setting, self._setting.length
-        turned = -1j * (axes.nodes[..., -1:] - axes.middle)
-        parts = bent * turned + drawn * axes.direction
+        turned = turned_back(axes.tip[:, :, None] - axes.middle)
+        parts = bent[:, None] * turned + drawn[:, None] * axes.direction
         moved = np.sum(parts, axis=2) * (setting.length / setting.pieces)
-        return np.asarray(np.clip(moved.real, -most, most) + 1j * np.clip(moved.imag, -most, most))
+        return np.asarray(np.clip(moved, -most, most))
 
     def _stretching_lag(self, axes: Axes) -> np.ndarray:
         """How far the first stretching mode moves the tips from their static length [m]."""
-        setting = self._setting
-        extended = axes.stretch.mean(axis=2, keepdims=True) * setting.length
-        lag = self._modal_lag(extended, self.axial_rate, np.array([setting.length]))[..., 0]
-        chord = axes.nodes[..., -1]
-        return np.asarray(lag * chord / np.maximum(np.abs(chord), 1e-3 * setting.length))
+        length = self._setting.length
+        lag = self._modal_lag((axes.stretch.mean(axis=1) - 1) * length, self._axial_rate)
+        chord = axes.tip
+        size = np.maximum(np.hypot(chord[:, 0], chord[:, 1]), 1e-3 * length)
+        return np.asarray((lag / size)[:, None] * chord)
 
-    def _modal_lag(self, path: np.ndarray, rate: np.ndarray, rest: np.ndarray) -> np.ndarray:
-        """How far a mode departs from its static path (S, T, K); zero without inertia."""
+    def _modal_lag(self, static: np.ndarray, rate: np.ndarray) -> np.ndarray:
+        """How far a mode departs from its static path (n, ..., T), from the straight rod."""
         setting = self._setting
-        static = np.ascontiguousarray((path - rest).swapaxes(0, 1))
         # y'' / rate^2 + damping y' + y = static, divided by the damping time.
         damping = np.maximum(self._damping_time, 1e-9 / rate)
         numbers = 1 / (rate**2 * damping), 1 / damping
-        # The two coordinates of a vector are channels of their own.
-        drive = static.view(float) / damping[:, None]
-        followed = second_order(*numbers, setting.time, drive, setting.start).view(static.dtype)
-        lag = np.where(self._has_inertia[:, None], followed - static, 0.0)
-        return np.asarray(lag.swapaxes(0, 1))
+        drive = static / damping.reshape(-1, *[1] * (static.ndim - 1))
+        return np.asarray(second_order(*numbers, setting.time, drive, setting.start) - static)
 
-    def _creep_lag(self, path: np.ndarray, time: np.ndarray) -> np.ndarray:
-        """How far massless damped rods lag behind their paths (S, T)."""
-        setting = self._setting
-        static = (path - setting.straight[-1]).swapaxes(0, 1)
-        filters = -1 / time, setting.time, static / time
-        start = start_of(setting.start, static[0], *filters)
-        return np.asarray((first_order(*filters, start) - static).swapaxes(0, 1))
-
-    @cached_property
-    def _masses(self) -> np.ndarray:
-        return self._loads.masses(self._pressure)
-
-    @cached_property
-    def _distributed_mass(self) -> np.ndarray:
-        return self._loads.distributed_mass(self._pressure)
-
-    @cached_property
-    def bending_rate(self) -> np.ndarray:
-        """Angular frequency of the first bending mode (S,) [1/s]."""
-        setting = self._setting
-        mass = EFFECTIVE_MASS * self._distributed_mass * (1 + self._added_mass)
-        stiffness = 3 * setting.bending_stiffness / setting.length**3
-        return np.asarray(np.sqrt(stiffness / (mass + self._loads.tip_mass)))
-
-    @cached_property
-    def axial_rate(self) -> np.ndarray:
-        """Angular frequency of the first stretching mode (S,) [1/s]."""
-        mass = 4 / math.pi**2 * self._distributed_mass + self._loads.tip_mass
-        stiffness = self._setting.extension_stiffness / self._setting.length
-        return np.asarray(np.sqrt(stiffness / mass))
+    def _crept(self, tip: np.ndarray) -> np.ndarray:
+        """Tips (n, 2, T) of massless rods, of which the damped ones lag behind their paths."""
+        damped, setting = self._damping_time > 0.0, self._setting
+        if not damped.any():
+            return tip
+        rate, static = 1 / self._damping_time[damped], tip[damped] - setting.straight[:, -1:]
+        filters = -rate, setting.time, static * rate[:, None, None]
+        found = tip.copy()
+        found[damped] += first_order(*filters, start_of(setting.start, static[..., 0], *filters))
+        found[damped] -= static
+        return found
 
     # -- feedback of the rod to the fluid ---------------------------------------
 
+    def answered(self) -> Axes:
+        """The axes at pressures that the rod's forces and the fluid's weight have changed."""
+        axes = self.axes
+        if self._has_inertia:
+            axes = axes.strained(*self._loads.elastic_strains(axes, self._inertial(axes)))
+        uptake = self._volumes_taken_up(axes)
+        found = average_all(self._networks)
+        pressure = bellow_pressures(found, uptake, self._loads.head(axes))
+        return self._loads.axes_at(pressure, uptake=uptake)
+
     def _volumes_taken_up(self, axes: Axes) -> np.ndarray:
-        """Volumes that the forces in the axes give the bellows (S, T, B) [m3]."""
+        """Volumes that the forces in the axes give the bellows (n, B, T) [m3]."""
         setting = self._setting
-        bending, extension = setting.piece_stiffnesses
-        moment = bending * axes.load_curvature @ setting.share
-        normal = extension * axes.load_stretch @ setting.share
-        force = self._per_force[:, None] * np.concatenate([normal, normal], axis=-1)
+        bending, extension = (np.reshape(own, (-1, 1)) for own in setting.piece_stiffnesses)
+        moment = setting.share.T @ (bending * axes.load_curvature)
+        normal = setting.share.T @ (extension * axes.load_stretch)
+        force = self._per_force[..., None] * np.concatenate([normal, normal], axis=1)
         return np.asarray(
-            force + self._per_moment[:, None] * np.concatenate([-moment, moment], axis=-1)
+            force + self._per_moment[..., None] * np.concatenate([-moment, moment], axis=1)
         )
 
 

@@ -241,5 +241,5 @@ class QuickMotion:
     ) -> np.ndarray:
         """Solutions (T, B) of C y' = -G y + forced (T, B), from one level of all bellows."""
         start = modes.T @ np.full(len(modes), begins)
-        own = first_order(-rate / self._stored, times, forced @ modes / self._stored, start)
-        return np.asarray(own @ modes.T)
+        drive = (forced @ modes / self._stored).T
+        return np.asarray((modes @ first_order(-rate / self._stored, times, drive, start)).T)

@@ -1,4 +1,4 @@
-; made from f2f367c32dc09f7dbf2cb7321c5e6163939f1d1b33353a839d9b36707213c744
+; made from 4b31ef2466b6ee0bef3b4a90379848ea90be97cfa10da77d2060581314d6fda0
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -11733,344 +11733,470 @@ declare double @llvm.exp.f64(double)
 
 declare double @sqrt(double)
 
-define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
+define i64 @sines_and_cosines(i64 %a0, ptr %a1, ptr %a2, ptr %a3) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow.113(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @sines_and_cosines.113(ptr nonnull %r, ptr nonnull %e, i64 %a0, ptr %a1, ptr %a2, ptr %a3)
   ret i64 0
 }
 
-define internal i32 @follow.113(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @sines_and_cosines.113(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.angle, ptr noalias %arg.sine, ptr noalias %arg.cosine) noinline {
 entry:
-  %.33 = mul nsw i64 %arg.channels, %arg.count
-  %.119167.not = icmp slt i64 %.33, 1
-  br i1 %.119167.not, label %B72, label %B44.if.preheader
+  %.9639.not = icmp slt i64 %arg.count, 1
+  br i1 %.9639.not, label %B616, label %B36.if
 
-B44.if.preheader:
-  %0 = shl nuw i64 %.33, 3
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.found, ptr align 8 %arg.state, i64 %0, i1 false)
-  br label %B72
-
-B72:
-  %.251176.not = icmp slt i64 %arg.steps, 1
-  br i1 %.251176.not, label %B734, label %B104.if.lr.ph
-
-B104.if.lr.ph:
-  %.386173.not = icmp slt i64 %arg.count, 1
-  %storemerge166 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
-  %.688170.not = icmp slt i64 %arg.channels, 1
-  br label %B104.if
-
-B102.loopexit:
-  %exitcond179.not = icmp eq i64 %.264, %arg.steps
-  br i1 %exitcond179.not, label %B734, label %B104.if
-
-B164.loopexit:
-  %exitcond.not = icmp eq i64 %arg.count, %.399
-  br i1 %exitcond.not, label %B102.loopexit, label %B166.if
-
-B280:
-  %.459 = fmul contract double %.435, 5.000000e-01
-  %.465 = fdiv contract double %.435, 3.000000e+00
-  %.471 = fmul contract double %.435, 2.500000e-01
-  %.477 = fdiv contract double %.435, 5.000000e+00
-  %.483 = fdiv contract double %.435, 6.000000e+00
-  %.485 = fadd contract double %.483, 1.000000e+00
-  %.486 = fmul contract double %.477, %.485
-  %.488 = fadd contract double %.486, 1.000000e+00
-  %.489 = fmul contract double %.471, %.488
-  %.491 = fadd contract double %.489, 1.000000e+00
-  %.492 = fmul contract double %.465, %.491
-  %.494 = fadd contract double %.492, 1.000000e+00
-  %.495 = fmul contract double %.459, %.494
-  %.497 = fadd contract double %.495, 1.000000e+00
-  %.530 = fdiv contract double %.435, 7.000000e+00
-  %.534 = fadd contract double %.530, 1.000000e+00
-  %.535 = fmul contract double %.483, %.534
-  %.537 = fadd contract double %.535, 1.000000e+00
-  %.538 = fmul contract double %.477, %.537
-  %.540 = fadd contract double %.538, 1.000000e+00
-  %.541 = fmul contract double %.471, %.540
-  %.543 = fadd contract double %.541, 1.000000e+00
-  %.544 = fmul contract double %.465, %.543
-  %.546 = fadd contract double %.544, 1.000000e+00
-  %.551 = fmul contract double %.546, 5.000000e-01
-  br label %B496
-
-B464:
-  %.558 = fadd contract double %.443, -1.000000e+00
-  %.563 = fdiv contract double %.558, %.435
-  %.567 = fadd contract double %.563, -1.000000e+00
-  %.572 = fdiv contract double %.567, %.435
-  br label %B496
-
-B496:
-  %level.3.2 = phi double [ %.497, %B280 ], [ %.563, %B464 ]
-  %ramp.3.2 = phi double [ %.551, %B280 ], [ %.572, %B464 ]
-  %.583 = fmul contract double %.430, %level.3.2
-  %.591 = fmul contract double %.430, %ramp.3.2
-  br i1 %.688170.not, label %B164.loopexit, label %B590.if.preheader
-
-B590.if.preheader:
-  %.602 = mul nuw nsw i64 %.329.0174, %arg.channels
-  br label %B590.if
-
-B734:
+B616:
   store ptr null, ptr %retptr, align 8
   ret i32 0
 
-B104.if:
-  %.194.0177 = phi i64 [ 0, %B104.if.lr.ph ], [ %.264, %B102.loopexit ]
-  %.264 = add nuw nsw i64 %.194.0177, 1
-  %.298 = mul nsw i64 %.264, %.33
-  br i1 %.386173.not, label %B102.loopexit, label %B166.if.lr.ph
+B36.if:
+  %.37.040 = phi i64 [ %.109, %B36.if ], [ 0, %entry ]
+  %.109 = add nuw nsw i64 %.37.040, 1
+  %.139 = getelementptr double, ptr %arg.angle, i64 %.37.040
+  %.140 = load double, ptr %.139, align 8
+  %.141 = fmul contract double %.140, 0x3FE45F306DC9C883
+  %.142 = fadd contract double %.141, 0x4338000000000000
+  %.143 = fadd contract double %.142, 0xC338000000000000
+  %.148 = fmul contract double %.143, 0x3FF921FB54400000
+  %.149 = fsub contract double %.140, %.148
+  %.150 = fmul contract double %.143, 0x3DD0B4611A600000
+  %.151 = fsub contract double %.149, %.150
+  %.152 = fmul contract double %.143, 0x3BA3198A2E037073
+  %.153 = fsub contract double %.151, %.152
+  %.158 = fmul contract double %.143, 2.500000e-01
+  %.159 = fadd contract double %.158, 0x4338000000000000
+  %.160 = fadd contract double %.159, 0xC338000000000000
+  %.162 = fmul contract double %.160, 4.000000e+00
+  %.163 = fsub contract double %.143, %.162
+  %.167 = fmul contract double %.153, %.153
+  %.168 = fmul contract double %.167, 0x3DE5D93A5ACFD57C
+  %.169 = fadd contract double %.168, 0xBE5AE5E68A2B9CEB
+  %.170 = fmul contract double %.167, %.169
+  %.171 = fadd contract double %.170, 0x3EC71DE357B1FE7D
+  %.172 = fmul contract double %.167, %.171
+  %.173 = fadd contract double %.172, 0xBF2A01A019C161D5
+  %.174 = fmul contract double %.167, %.173
+  %.175 = fadd contract double %.174, 0x3F8111111110F8A6
+  %.176 = fmul contract double %.167, %.175
+  %.177 = fadd contract double %.176, 0xBFC5555555555549
+  %.178 = fmul contract double %.153, %.167
+  %.179 = fmul contract double %.178, %.177
+  %.180 = fadd contract double %.153, %.179
+  %.184 = fmul contract double %.167, 0x3DA8FAE9BE8838D4
+  %.185 = fsub contract double 0x3E21EE9EBDB4B1C4, %.184
+  %.186 = fmul contract double %.167, %.185
+  %.187 = fadd contract double %.186, 0xBE927E4F809C52AD
+  %.188 = fmul contract double %.167, %.187
+  %.189 = fadd contract double %.188, 0x3EFA01A019CB1590
+  %.190 = fmul contract double %.167, %.189
+  %.191 = fadd contract double %.190, 0xBF56C16C16C15177
+  %.192 = fmul contract double %.167, %.191
+  %.193 = fadd contract double %.192, 0x3FA555555555554C
+  %.198 = fmul contract double %.167, 5.000000e-01
+  %.199 = fmul contract double %.167, %.167
+  %.200 = fmul contract double %.199, %.193
+  %0 = fsub contract double %.200, %.198
+  %.203 = fadd contract double %0, 1.000000e+00
+  %.209 = fmul contract double %.163, %.163
+  %.210 = fcmp contract oeq double %.209, 1.000000e+00
+  %.203..180 = select i1 %.210, double %.203, double %.180
+  %"$phi488.2.2.1" = select i1 %.210, double %.180, double %.203
+  %.259 = fadd contract double %.163, -5.000000e-01
+  %.260 = call contract double @llvm.fabs.f64(double %.259)
+  %.261 = fcmp contract olt double %.260, 1.000000e+00
+  %.271 = fneg contract double %.203..180
+  %"$phi544.1.2.1" = select i1 %.261, double %.203..180, double %.271
+  %.280 = getelementptr double, ptr %arg.sine, i64 %.37.040
+  store double %"$phi544.1.2.1", ptr %.280, align 8
+  %.285 = fadd contract double %.163, 5.000000e-01
+  %.288 = call contract double @llvm.fabs.f64(double %.285)
+  %.289 = fcmp contract olt double %.288, 1.000000e+00
+  %.299 = fneg contract double %"$phi488.2.2.1"
+  %"$phi604.1.2.1" = select i1 %.289, double %"$phi488.2.2.1", double %.299
+  %.308 = getelementptr double, ptr %arg.cosine, i64 %.37.040
+  store double %"$phi604.1.2.1", ptr %.308, align 8
+  %exitcond.not = icmp eq i64 %arg.count, %.109
+  br i1 %exitcond.not, label %B616, label %B36.if
+}
 
-B166.if.lr.ph:
-  %.294 = mul nsw i64 %.194.0177, %.33
-  %.429 = getelementptr double, ptr %arg.step, i64 %.194.0177
-  %.430 = load double, ptr %.429, align 8
-  %.438 = mul nuw nsw i64 %.194.0177, %arg.count
-  %1 = getelementptr double, ptr %arg.growth, i64 %.438
-  %2 = getelementptr double, ptr %arg.drive, i64 %.294
-  br label %B166.if
+define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @follow.114(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  ret i64 0
+}
 
-B166.if:
-  %.329.0174 = phi i64 [ 0, %B166.if.lr.ph ], [ %.399, %B164.loopexit ]
-  %.399 = add nuw nsw i64 %.329.0174, 1
-  %.433 = getelementptr double, ptr %arg.rate, i64 %.329.0174
-  %.434 = load double, ptr %.433, align 8
-  %.435 = fmul contract double %.430, %.434
-  %.442 = getelementptr double, ptr %1, i64 %.329.0174
-  %.443 = load double, ptr %.442, align 8
-  %.451 = call contract double @llvm.fabs.f64(double %.435)
-  %.452 = fcmp contract olt double %.451, 1.000000e-02
-  br i1 %.452, label %B280, label %B464
+define internal i32 @follow.114(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.added, ptr noalias %arg.found) noinline {
+entry:
+  %.114177.not = icmp slt i64 %arg.count, 1
+  br i1 %.114177.not, label %B760, label %B36.if.lr.ph
 
-B590.if:
-  %.635.0172 = phi i64 [ %.697, %B590.if ], [ %storemerge166, %B590.if.preheader ]
-  %.632.0171 = phi i64 [ %.701, %B590.if ], [ %.602, %B590.if.preheader ]
-  %.697 = add nsw i64 %.635.0172, -1
-  %.701 = add i64 %.632.0171, 1
-  %.729 = getelementptr double, ptr %2, i64 %.632.0171
+B36.if.lr.ph:
+  %.241167.not = icmp slt i64 %arg.steps, 1
+  %0 = getelementptr double, ptr %arg.added, i64 %arg.steps
+  %storemerge165 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
+  %.539174.not = icmp slt i64 %arg.channels, 1
+  %.578 = add nsw i64 %arg.steps, 1
+  %.673170.not = icmp slt i64 %arg.steps, 1
+  %1 = getelementptr double, ptr %arg.added, i64 %arg.steps
+  br label %B36.if
+
+B34.loopexit:
+  %exitcond181.not = icmp eq i64 %.127, %arg.count
+  br i1 %exitcond181.not, label %B760, label %B36.if
+
+B462:
+  br i1 %.539174.not, label %B34.loopexit, label %B512.if.lr.ph
+
+B512.if.lr.ph:
+  %.453 = mul nuw nsw i64 %.55.0178, %arg.channels
+  %2 = getelementptr double, ptr %arg.growth, i64 %.157
+  br label %B512.if
+
+B512.loopexit:
+  %.539 = icmp sgt i64 %.486.0176, 1
+  br i1 %.539, label %B512.if, label %B34.loopexit
+
+B760:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B36.if:
+  %.55.0178 = phi i64 [ 0, %B36.if.lr.ph ], [ %.127, %B34.loopexit ]
+  %.127 = add nuw nsw i64 %.55.0178, 1
+  %.157 = mul nsw i64 %.55.0178, %arg.steps
+  br i1 %.241167.not, label %B462, label %B80.if.lr.ph
+
+B80.if.lr.ph:
+  %.288 = getelementptr double, ptr %arg.rate, i64 %.55.0178
+  %.289 = load double, ptr %.288, align 8
+  %3 = getelementptr double, ptr %arg.growth, i64 %.157
+  br label %B80.if
+
+B80.if:
+  %.185.0168 = phi i64 [ 0, %B80.if.lr.ph ], [ %.254, %B80.if ]
+  %.254 = add nuw nsw i64 %.185.0168, 1
+  %.284 = getelementptr double, ptr %arg.step, i64 %.185.0168
+  %.285 = load double, ptr %.284, align 8
+  %.290 = fmul contract double %.285, %.289
+  %.295 = fmul contract double %.290, 2.000000e-01
+  %.297 = fmul contract double %.290, 0x3FC5555555555555
+  %.299 = fmul contract double %.290, 0x3FC2492492492492
+  %.301 = fadd contract double %.299, 1.000000e+00
+  %.302 = fmul contract double %.297, %.301
+  %.304 = fadd contract double %.302, 1.000000e+00
+  %.305 = fmul contract double %.295, %.304
+  %.307 = fadd contract double %.305, 1.000000e+00
+  %.309 = fmul contract double %.290, 0x3FD5555555555555
+  %.315 = fmul contract double %.290, 2.500000e-01
+  %.316 = fmul contract double %.315, %.307
+  %.318 = fadd contract double %.316, 1.000000e+00
+  %.319 = fmul contract double %.309, %.318
+  %.321 = fadd contract double %.319, 1.000000e+00
+  %.329 = getelementptr double, ptr %3, i64 %.185.0168
+  %.330 = load double, ptr %.329, align 8
+  %.332 = fadd contract double %.330, -1.000000e+00
+  %.337 = fdiv contract double %.332, %.290
+  %.343 = fadd contract double %.337, -1.000000e+00
+  %.348 = fdiv contract double %.343, %.290
+  %.353 = call contract double @llvm.fabs.f64(double %.290)
+  %.354 = fcmp contract olt double %.353, 1.000000e-02
+  %.367 = fmul contract double %.290, 5.000000e-01
+  %.371 = fmul contract double %.367, %.321
+  %.373 = fadd contract double %.371, 1.000000e+00
+  %"$phi376.2.2.2" = select i1 %.354, double %.373, double %.337
+  %.403 = fmul contract double %.321, 5.000000e-01
+  %"$phi394.2.2.2" = select i1 %.354, double %.403, double %.348
+  %.426 = fmul contract double %.285, %"$phi376.2.2.2"
+  %.433 = fmul contract double %.285, %"$phi394.2.2.2"
+  %.436 = getelementptr double, ptr %arg.added, i64 %.185.0168
+  store double %.426, ptr %.436, align 8
+  %.444 = getelementptr double, ptr %0, i64 %.185.0168
+  store double %.433, ptr %.444, align 8
+  %exitcond.not = icmp eq i64 %arg.steps, %.254
+  br i1 %exitcond.not, label %B462, label %B80.if
+
+B512.if:
+  %.486.0176 = phi i64 [ %storemerge165, %B512.if.lr.ph ], [ %.548, %B512.loopexit ]
+  %.483.0175 = phi i64 [ %.453, %B512.if.lr.ph ], [ %.552, %B512.loopexit ]
+  %.548 = add nsw i64 %.486.0176, -1
+  %.552 = add i64 %.483.0175, 1
+  %.579 = mul nsw i64 %.483.0175, %.578
+  %.581 = getelementptr double, ptr %arg.state, i64 %.483.0175
+  %.582 = load double, ptr %.581, align 8
+  %.591 = getelementptr double, ptr %arg.found, i64 %.579
+  store double %.582, ptr %.591, align 8
+  br i1 %.673170.not, label %B512.loopexit, label %B588.if
+
+B588.if:
+  %value.2.2173 = phi double [ %.741, %B588.if ], [ %.582, %B512.if ]
+  %.617.0171 = phi i64 [ %.686, %B588.if ], [ 0, %B512.if ]
+  %.686 = add nuw nsw i64 %.617.0171, 1
+  %.712 = add nsw i64 %.617.0171, %.579
+  %.714 = getelementptr double, ptr %arg.drive, i64 %.712
+  %.715 = load double, ptr %.714, align 8
+  %.717 = getelementptr double, ptr %arg.added, i64 %.617.0171
+  %.718 = load double, ptr %.717, align 8
+  %.719 = fmul contract double %.715, %.718
+  %.723 = getelementptr double, ptr %1, i64 %.617.0171
+  %.724 = load double, ptr %.723, align 8
+  %.727 = add nsw i64 %.712, 1
+  %.729 = getelementptr double, ptr %arg.drive, i64 %.727
   %.730 = load double, ptr %.729, align 8
-  %.732 = fmul contract double %.583, %.730
-  %.734 = add nsw i64 %.632.0171, %.298
-  %.736 = getelementptr double, ptr %arg.drive, i64 %.734
-  %.737 = load double, ptr %.736, align 8
-  %.738 = fsub contract double %.737, %.730
-  %.740 = fmul contract double %.591, %.738
-  %.741 = fadd contract double %.732, %.740
-  %.743 = getelementptr double, ptr %arg.state, i64 %.632.0171
-  %.744 = load double, ptr %.743, align 8
-  %.746 = fmul contract double %.443, %.744
-  %.747 = fadd contract double %.746, %.741
-  store double %.747, ptr %.743, align 8
-  %.757 = getelementptr double, ptr %arg.found, i64 %.734
-  store double %.747, ptr %.757, align 8
-  %.688 = icmp sgt i64 %.635.0172, 1
-  br i1 %.688, label %B590.if, label %B164.loopexit
+  %.731 = fsub contract double %.730, %.715
+  %.732 = fmul contract double %.724, %.731
+  %.733 = fadd contract double %.719, %.732
+  %.737 = getelementptr double, ptr %2, i64 %.617.0171
+  %.738 = load double, ptr %.737, align 8
+  %.740 = fmul contract double %value.2.2173, %.738
+  %.741 = fadd contract double %.740, %.733
+  %.748 = getelementptr double, ptr %arg.found, i64 %.727
+  store double %.741, ptr %.748, align 8
+  %exitcond180.not = icmp eq i64 %arg.steps, %.686
+  br i1 %exitcond180.not, label %B512.loopexit, label %B588.if
 }
 
-define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
+define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_turning.114(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @follow_turning.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @follow_turning.114(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.found) noinline {
+define internal i32 @follow_turning.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.added, ptr noalias %arg.found) noinline {
 entry:
-  %.33 = mul nsw i64 %arg.channels, %arg.count
-  %0 = call i64 @llvm.smax.i64(i64 %.33, i64 0)
-  %storemerge = shl nuw i64 %0, 1
-  %.120209 = icmp sgt i64 %storemerge, 0
-  br i1 %.120209, label %B50.if.preheader, label %B78
+  %.114202.not = icmp slt i64 %arg.count, 1
+  br i1 %.114202.not, label %B1580, label %B36.if.lr.ph
 
-B50.if.preheader:
-  %1 = shl i64 %0, 4
-  call void @llvm.memcpy.p0.p0.i64(ptr align 8 %arg.found, ptr align 8 %arg.state, i64 %1, i1 false)
-  br label %B78
+B36.if.lr.ph:
+  %.249191.not = icmp slt i64 %arg.steps, 1
+  %0 = getelementptr double, ptr %arg.added, i64 %arg.steps
+  %.idx189 = shl i64 %arg.steps, 4
+  %1 = getelementptr i8, ptr %arg.added, i64 %.idx189
+  %.idx190 = mul i64 %arg.steps, 24
+  %2 = getelementptr i8, ptr %arg.added, i64 %.idx190
+  %storemerge186 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
+  %.732199.not = icmp slt i64 %arg.channels, 1
+  %.771 = add nsw i64 %arg.steps, 1
+  %.882194.not = icmp slt i64 %arg.steps, 1
+  %.idx = shl i64 %arg.steps, 4
+  %3 = getelementptr i8, ptr %arg.added, i64 %.idx
+  %4 = getelementptr double, ptr %arg.added, i64 %arg.steps
+  %.idx188 = mul i64 %arg.steps, 24
+  %5 = getelementptr i8, ptr %arg.added, i64 %.idx188
+  br label %B36.if
 
-B78:
-  %.252224.not = icmp slt i64 %arg.steps, 1
-  br i1 %.252224.not, label %B1216, label %B110.if.lr.ph
+B34.loopexit:
+  %exitcond206.not = icmp eq i64 %.127, %arg.count
+  br i1 %exitcond206.not, label %B1580, label %B36.if
 
-B110.if.lr.ph:
-  %.387221.not = icmp slt i64 %arg.count, 1
-  %storemerge208 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
-  %.931218.not = icmp slt i64 %arg.channels, 1
-  br label %B110.if
+B1036:
+  br i1 %.732199.not, label %B34.loopexit, label %B1086.if.lr.ph
 
-B108.loopexit:
-  %exitcond227.not = icmp eq i64 %.265, %arg.steps
-  br i1 %exitcond227.not, label %B1216, label %B110.if
+B1086.if.lr.ph:
+  %.646 = mul nuw nsw i64 %.55.0203, %arg.channels
+  %6 = getelementptr double, ptr %arg.growth, i64 %.158
+  %7 = getelementptr double, ptr %arg.growth, i64 %.164
+  br label %B1086.if
 
-B170.loopexit:
-  %exitcond.not = icmp eq i64 %arg.count, %.400
-  br i1 %exitcond.not, label %B108.loopexit, label %B172.if
+B1086.loopexit:
+  %.732 = icmp sgt i64 %.679.0201, 1
+  br i1 %.732, label %B1086.if, label %B34.loopexit
 
-B586:
-  %.721 = fmul contract double %.677, 5.000000e-01
-  %.729 = fmul contract double %.690, 5.000000e-01
-  br label %B742
-
-B608:
-  %.744 = fdiv contract double %.437, %.486
-  %.748 = fneg contract double %.448
-  %.755 = fdiv contract double %.748, %.486
-  %.760 = fadd contract double %.463, -1.000000e+00
-  %.761 = fmul contract double %.760, %.744
-  %.763 = fmul contract double %.473, %.755
-  %.764 = fsub contract double %.761, %.763
-  %.768 = fmul contract double %.760, %.755
-  %.770 = fmul contract double %.473, %.744
-  %.771 = fadd contract double %.768, %.770
-  %.777 = fadd contract double %.764, -1.000000e+00
-  %.778 = fmul contract double %.744, %.777
-  %.779 = fmul contract double %.755, %.771
-  %.780 = fsub contract double %.778, %.779
-  %.783 = fmul contract double %.755, %.777
-  %.784 = fmul contract double %.744, %.771
-  %.785 = fadd contract double %.784, %.783
-  br label %B742
-
-B742:
-  %lr.5.2 = phi double [ %.646, %B586 ], [ %.764, %B608 ]
-  %li.5.2 = phi double [ %.658, %B586 ], [ %.771, %B608 ]
-  %ri.6.2 = phi double [ %.729, %B586 ], [ %.785, %B608 ]
-  %rr.6.2 = phi double [ %.721, %B586 ], [ %.780, %B608 ]
-  %.796 = fmul contract double %.431, %lr.5.2
-  %.804 = fmul contract double %.431, %li.5.2
-  %.812 = fmul contract double %.431, %rr.6.2
-  %.820 = fmul contract double %.431, %ri.6.2
-  br i1 %.931218.not, label %B170.loopexit, label %B886.if.preheader
-
-B886.if.preheader:
-  %.845 = mul nuw nsw i64 %.330.0222, %arg.channels
-  br label %B886.if
-
-B1216:
+B1580:
   store ptr null, ptr %retptr, align 8
   ret i32 0
 
-B110.if:
-  %.195.0225 = phi i64 [ 0, %B110.if.lr.ph ], [ %.265, %B108.loopexit ]
-  %.265 = add nuw nsw i64 %.195.0225, 1
-  %.299 = mul nsw i64 %.265, %.33
-  br i1 %.387221.not, label %B108.loopexit, label %B172.if.lr.ph
+B36.if:
+  %.55.0203 = phi i64 [ 0, %B36.if.lr.ph ], [ %.127, %B34.loopexit ]
+  %.127 = add nuw nsw i64 %.55.0203, 1
+  %.156 = shl nuw nsw i64 %.55.0203, 1
+  %.158 = mul nsw i64 %.156, %arg.steps
+  %.164 = add nsw i64 %.158, %arg.steps
+  br i1 %.249191.not, label %B1036, label %B98.if.lr.ph
 
-B172.if.lr.ph:
-  %.295 = mul nsw i64 %.195.0225, %.33
-  %.430 = getelementptr double, ptr %arg.step, i64 %.195.0225
-  %.431 = load double, ptr %.430, align 8
-  %.457 = mul nuw nsw i64 %.195.0225, %arg.count
-  %2 = getelementptr double, ptr %arg.drive, i64 %.295
-  br label %B172.if
+B98.if.lr.ph:
+  %.297 = getelementptr double, ptr %arg.rate, i64 %.156
+  %.298 = load double, ptr %.297, align 8
+  %.308 = getelementptr i8, ptr %.297, i64 8
+  %.309 = load double, ptr %.308, align 8
+  %8 = getelementptr double, ptr %arg.growth, i64 %.158
+  %9 = getelementptr double, ptr %arg.growth, i64 %.164
+  br label %B98.if
 
-B172.if:
-  %.330.0222 = phi i64 [ 0, %B172.if.lr.ph ], [ %.400, %B170.loopexit ]
-  %.400 = add nuw nsw i64 %.330.0222, 1
-  %.435.idx = shl i64 %.330.0222, 4
-  %.435 = getelementptr i8, ptr %arg.rate, i64 %.435.idx
-  %.436 = load double, ptr %.435, align 8
-  %.437 = fmul contract double %.431, %.436
-  %.446 = getelementptr i8, ptr %.435, i64 8
-  %.447 = load double, ptr %.446, align 8
-  %.448 = fmul contract double %.431, %.447
-  %.459 = add nuw nsw i64 %.330.0222, %.457
-  %.462.idx = shl i64 %.459, 4
-  %.462 = getelementptr i8, ptr %arg.growth, i64 %.462.idx
-  %.463 = load double, ptr %.462, align 8
-  %.472 = getelementptr i8, ptr %.462, i64 8
-  %.473 = load double, ptr %.472, align 8
-  %.482 = fmul contract double %.437, %.437
-  %.485 = fmul contract double %.448, %.448
-  %.486 = fadd contract double %.482, %.485
-  %.492 = fcmp contract olt double %.486, 1.000000e-04
-  br i1 %.492, label %B444.if, label %B608
+B98.if:
+  %.192.0192 = phi i64 [ 0, %B98.if.lr.ph ], [ %.262, %B98.if ]
+  %.262 = add nuw nsw i64 %.192.0192, 1
+  %.292 = getelementptr double, ptr %arg.step, i64 %.192.0192
+  %.293 = load double, ptr %.292, align 8
+  %.299 = fmul contract double %.293, %.298
+  %.310 = fmul contract double %.293, %.309
+  %.319 = fmul contract double %.299, %.299
+  %.322 = fmul contract double %.310, %.310
+  %.323 = fadd contract double %.319, %.322
+  %.325 = fmul contract double %.299, 0x3FC2492492492492
+  %.327 = fadd contract double %.325, 1.000000e+00
+  %.329 = fmul contract double %.310, 0x3FC2492492492492
+  %.331 = fmul contract double %.299, %.327
+  %.333 = fmul contract double %.310, %.329
+  %.334 = fsub contract double %.331, %.333
+  %.335 = fmul contract double %.334, 0x3FC5555555555555
+  %.337 = fadd contract double %.335, 1.000000e+00
+  %.339 = fmul contract double %.299, %.329
+  %.341 = fmul contract double %.310, %.327
+  %.342 = fadd contract double %.339, %.341
+  %.343 = fmul contract double %.342, 0x3FC5555555555555
+  %.345 = fmul contract double %.299, %.337
+  %.347 = fmul contract double %.310, %.343
+  %.348 = fsub contract double %.345, %.347
+  %.349 = fmul contract double %.348, 2.000000e-01
+  %.351 = fadd contract double %.349, 1.000000e+00
+  %.353 = fmul contract double %.299, %.343
+  %.355 = fmul contract double %.310, %.337
+  %.356 = fadd contract double %.353, %.355
+  %.357 = fmul contract double %.356, 2.000000e-01
+  %.359 = fmul contract double %.299, %.351
+  %.361 = fmul contract double %.310, %.357
+  %.362 = fsub contract double %.359, %.361
+  %.367 = fmul contract double %.362, 2.500000e-01
+  %.369 = fadd contract double %.367, 1.000000e+00
+  %.371 = fmul contract double %.299, %.357
+  %.373 = fmul contract double %.310, %.351
+  %.374 = fadd contract double %.371, %.373
+  %.379 = fmul contract double %.374, 2.500000e-01
+  %.381 = fmul contract double %.299, %.369
+  %.383 = fmul contract double %.310, %.379
+  %.384 = fsub contract double %.381, %.383
+  %.385 = fmul contract double %.384, 0x3FD5555555555555
+  %.387 = fadd contract double %.385, 1.000000e+00
+  %.392 = fmul contract double %.387, 5.000000e-01
+  %.394 = fmul contract double %.299, %.379
+  %.396 = fmul contract double %.310, %.369
+  %.397 = fadd contract double %.394, %.396
+  %.398 = fmul contract double %.397, 0x3FD5555555555555
+  %.403 = fmul contract double %.398, 5.000000e-01
+  %.414 = fdiv contract double 1.000000e+00, %.323
+  %.416 = fmul contract double %.299, %.414
+  %.418 = fneg contract double %.310
+  %.419 = fmul contract double %.414, %.418
+  %.424 = getelementptr double, ptr %8, i64 %.192.0192
+  %.425 = load double, ptr %.424, align 8
+  %.427 = fadd contract double %.425, -1.000000e+00
+  %.432 = getelementptr double, ptr %9, i64 %.192.0192
+  %.433 = load double, ptr %.432, align 8
+  %.434 = fmul contract double %.427, %.416
+  %.435 = fmul contract double %.433, %.419
+  %.436 = fsub contract double %.434, %.435
+  %.437 = fmul contract double %.427, %.419
+  %.438 = fmul contract double %.433, %.416
+  %.439 = fadd contract double %.437, %.438
+  %.448 = fadd contract double %.436, -1.000000e+00
+  %.449 = fmul contract double %.416, %.448
+  %.451 = fmul contract double %.419, %.439
+  %.452 = fsub contract double %.449, %.451
+  %.456 = fmul contract double %.419, %.448
+  %.458 = fmul contract double %.416, %.439
+  %.459 = fadd contract double %.458, %.456
+  %.467 = fcmp contract olt double %.323, 1.000000e-04
+  %.477 = fmul contract double %.299, %.392
+  %.479 = fadd contract double %.477, 1.000000e+00
+  %.482 = fmul contract double %.310, %.403
+  %.483 = fsub contract double %.479, %.482
+  %"$phi830.2.2.2" = select i1 %.467, double %.483, double %.436
+  %.506 = fmul contract double %.299, %.403
+  %.511 = fmul contract double %.310, %.392
+  %.514 = fadd contract double %.506, %.511
+  %"$phi860.2.2.2" = select i1 %.467, double %.514, double %.439
+  %"$phi872.2.2.2" = select i1 %.467, double %.392, double %.452
+  %"$phi884.2.2.2" = select i1 %.467, double %.403, double %.459
+  %.589 = fmul contract double %.293, %"$phi830.2.2.2"
+  %.597 = fmul contract double %.293, %"$phi860.2.2.2"
+  %.602 = getelementptr double, ptr %arg.added, i64 %.192.0192
+  store double %.589, ptr %.602, align 8
+  %.608 = getelementptr double, ptr %0, i64 %.192.0192
+  store double %.597, ptr %.608, align 8
+  %.615 = fmul contract double %.293, %"$phi872.2.2.2"
+  %.622 = fmul contract double %.293, %"$phi884.2.2.2"
+  %.628 = getelementptr double, ptr %1, i64 %.192.0192
+  store double %.615, ptr %.628, align 8
+  %.637 = getelementptr double, ptr %2, i64 %.192.0192
+  store double %.622, ptr %.637, align 8
+  %exitcond.not = icmp eq i64 %arg.steps, %.262
+  br i1 %exitcond.not, label %B1036, label %B98.if
 
-B444.if:
-  %ri.5.2217 = phi double [ %.690, %B444.if ], [ 0.000000e+00, %B172.if ]
-  %rr.5.2216 = phi double [ %.677, %B444.if ], [ 1.000000e+00, %B172.if ]
-  %li.4.2215 = phi double [ %.658, %B444.if ], [ 0.000000e+00, %B172.if ]
-  %lr.4.2214 = phi double [ %.646, %B444.if ], [ 1.000000e+00, %B172.if ]
-  %.542.0213 = phi i64 [ %.604, %B444.if ], [ 5, %B172.if ]
-  %.539.0212 = phi i64 [ %.608, %B444.if ], [ 6, %B172.if ]
-  %.604 = add nsw i64 %.542.0213, -1
-  %.608 = add nsw i64 %.539.0212, -1
-  %.635 = fmul contract double %.437, %lr.4.2214
-  %.638 = fmul contract double %.448, %li.4.2215
-  %.639 = fsub contract double %.635, %.638
-  %.640 = sitofp i64 %.539.0212 to double
-  %.644 = fdiv contract double %.639, %.640
-  %.646 = fadd contract double %.644, 1.000000e+00
-  %.649 = fmul contract double %.437, %li.4.2215
-  %.652 = fmul contract double %.448, %lr.4.2214
-  %.653 = fadd contract double %.652, %.649
-  %.658 = fdiv contract double %.653, %.640
-  %.665 = fmul contract double %.437, %rr.5.2216
-  %.668 = fmul contract double %.448, %ri.5.2217
-  %.669 = fsub contract double %.665, %.668
-  %.670 = add nuw nsw i64 %.539.0212, 1
-  %.671 = sitofp i64 %.670 to double
-  %.675 = fdiv contract double %.669, %.671
-  %.677 = fadd contract double %.675, 1.000000e+00
-  %.680 = fmul contract double %.437, %ri.5.2217
-  %.683 = fmul contract double %.448, %rr.5.2216
-  %.684 = fadd contract double %.683, %.680
-  %.690 = fdiv contract double %.684, %.671
-  %.595 = icmp samesign ugt i64 %.542.0213, 1
-  br i1 %.595, label %B444.if, label %B586
+B1086.if:
+  %.679.0201 = phi i64 [ %storemerge186, %B1086.if.lr.ph ], [ %.741, %B1086.loopexit ]
+  %.676.0200 = phi i64 [ %.646, %B1086.if.lr.ph ], [ %.745, %B1086.loopexit ]
+  %.741 = add nsw i64 %.679.0201, -1
+  %.745 = add i64 %.676.0200, 1
+  %.772 = mul nsw i64 %.676.0200, %.771
+  %.775.idx = shl i64 %.676.0200, 4
+  %.775 = getelementptr i8, ptr %arg.state, i64 %.775.idx
+  %.776 = load double, ptr %.775, align 8
+  %.780 = getelementptr i8, ptr %.775, i64 8
+  %.781 = load double, ptr %.780, align 8
+  %.794.idx = shl i64 %.772, 4
+  %.794 = getelementptr i8, ptr %arg.found, i64 %.794.idx
+  store double %.776, ptr %.794, align 8
+  %.800 = getelementptr i8, ptr %.794, i64 8
+  store double %.781, ptr %.800, align 8
+  br i1 %.882194.not, label %B1086.loopexit, label %B1226.if
 
-B886.if:
-  %.878.0220 = phi i64 [ %.940, %B886.if ], [ %storemerge208, %B886.if.preheader ]
-  %.875.0219 = phi i64 [ %.944, %B886.if ], [ %.845, %B886.if.preheader ]
-  %.940 = add nsw i64 %.878.0220, -1
-  %.944 = add i64 %.875.0219, 1
-  %.972 = getelementptr double, ptr %2, i64 %.875.0219
-  %.973 = load double, ptr %.972, align 8
-  %.975 = add nsw i64 %.875.0219, %.299
-  %.977 = getelementptr double, ptr %arg.drive, i64 %.975
-  %.978 = load double, ptr %.977, align 8
-  %.979 = fsub contract double %.978, %.973
-  %.982.idx = shl i64 %.875.0219, 4
-  %.982 = getelementptr i8, ptr %arg.state, i64 %.982.idx
-  %.983 = load double, ptr %.982, align 8
-  %.987 = getelementptr i8, ptr %.982, i64 8
-  %.988 = load double, ptr %.987, align 8
-  %.990 = fmul contract double %.463, %.983
-  %.992 = fmul contract double %.473, %.988
-  %.993 = fsub contract double %.990, %.992
-  %.995 = fmul contract double %.796, %.973
-  %.996 = fadd contract double %.995, %.993
-  %.998 = fmul contract double %.812, %.979
-  %.999 = fadd contract double %.998, %.996
-  store double %.999, ptr %.982, align 8
-  %.1005 = fmul contract double %.463, %.988
-  %.1007 = fmul contract double %.473, %.983
-  %.1008 = fadd contract double %.1007, %.1005
-  %.1010 = fmul contract double %.804, %.973
-  %.1011 = fadd contract double %.1010, %.1008
-  %.1013 = fmul contract double %.820, %.979
-  %.1014 = fadd contract double %.1013, %.1011
-  store double %.1014, ptr %.987, align 8
-  %.1033.idx = shl i64 %.975, 4
-  %.1033 = getelementptr i8, ptr %arg.found, i64 %.1033.idx
-  store double %.999, ptr %.1033, align 8
-  %.1040 = getelementptr i8, ptr %.1033, i64 8
-  store double %.1014, ptr %.1040, align 8
-  %.931 = icmp sgt i64 %.878.0220, 1
-  br i1 %.931, label %B886.if, label %B170.loopexit
+B1226.if:
+  %yr.2.2198 = phi double [ %.973, %B1226.if ], [ %.776, %B1086.if ]
+  %yi.2.2197 = phi double [ %.979, %B1226.if ], [ %.781, %B1086.if ]
+  %.826.0195 = phi i64 [ %.895, %B1226.if ], [ 0, %B1086.if ]
+  %.895 = add nuw nsw i64 %.826.0195, 1
+  %.921 = add nsw i64 %.826.0195, %.772
+  %.923 = getelementptr double, ptr %arg.drive, i64 %.921
+  %.924 = load double, ptr %.923, align 8
+  %.927 = add nsw i64 %.921, 1
+  %.929 = getelementptr double, ptr %arg.drive, i64 %.927
+  %.930 = load double, ptr %.929, align 8
+  %.931 = fsub contract double %.930, %.924
+  %.935 = getelementptr double, ptr %6, i64 %.826.0195
+  %.936 = load double, ptr %.935, align 8
+  %.940 = getelementptr double, ptr %7, i64 %.826.0195
+  %.941 = load double, ptr %.940, align 8
+  %.943 = getelementptr double, ptr %arg.added, i64 %.826.0195
+  %.944 = load double, ptr %.943, align 8
+  %.945 = fmul contract double %.924, %.944
+  %.950 = getelementptr double, ptr %3, i64 %.826.0195
+  %.951 = load double, ptr %.950, align 8
+  %.952 = fmul contract double %.931, %.951
+  %.953 = fadd contract double %.945, %.952
+  %.957 = getelementptr double, ptr %4, i64 %.826.0195
+  %.958 = load double, ptr %.957, align 8
+  %.959 = fmul contract double %.924, %.958
+  %.964 = getelementptr double, ptr %5, i64 %.826.0195
+  %.965 = load double, ptr %.964, align 8
+  %.966 = fmul contract double %.931, %.965
+  %.967 = fadd contract double %.959, %.966
+  %.969 = fmul contract double %yr.2.2198, %.936
+  %.970 = fadd contract double %.969, %.953
+  %.972 = fmul contract double %yi.2.2197, %.941
+  %.973 = fsub contract double %.970, %.972
+  %.975 = fmul contract double %yi.2.2197, %.936
+  %.976 = fadd contract double %.975, %.967
+  %.978 = fmul contract double %yr.2.2198, %.941
+  %.979 = fadd contract double %.978, %.976
+  %.989.idx = shl i64 %.927, 4
+  %.989 = getelementptr i8, ptr %arg.found, i64 %.989.idx
+  store double %.973, ptr %.989, align 8
+  %.997 = getelementptr i8, ptr %.989, i64 8
+  store double %.979, ptr %.997, align 8
+  %exitcond205.not = icmp eq i64 %arg.steps, %.895
+  br i1 %exitcond205.not, label %B1086.loopexit, label %B1226.if
 }
 
 define i64 @have_signs(i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @have_signs.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @have_signs.116(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @have_signs.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
+define internal i32 @have_signs.116(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
 entry:
   %.32 = add i64 %arg.width, 1
   %.123287.not = icmp slt i64 %arg.matrices, 1
@@ -12243,12 +12369,12 @@ B630.if:
 define i64 @follow_equilibria(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_equilibria.116(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
+  %1 = call i32 @follow_equilibria.117(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @follow_equilibria.116(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @follow_equilibria.117(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
   %.291 = alloca ptr, align 8
   store ptr null, ptr %.291, align 8
@@ -12428,7 +12554,7 @@ B1384:
 B1482:
   %.1149 = load double, ptr %.1148, align 8
   store i64 0, ptr %.1155, align 8
-  %.1159 = call i32 @is_far.117(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
+  %.1159 = call i32 @is_far.118(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
   switch i32 %.1159, label %B1482.if [
     i32 -2, label %B1482.endif
     i32 0, label %B1482.endif
@@ -12512,7 +12638,7 @@ B712.endif.if:
 B712.endif.endif:
   %.552 = load double, ptr %.551, align 8
   store i64 0, ptr %.553, align 8
-  %.557 = call i32 @numba.118(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
+  %.557 = call i32 @numba.119(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
   switch i32 %.557, label %B712.endif.endif.if [
     i32 -2, label %B712.endif.endif.endif
     i32 0, label %B712.endif.endif.endif
@@ -12608,7 +12734,7 @@ B1220.if:
 
 B1220.endif:
   store double 0.000000e+00, ptr %.1025, align 8
-  %.1029 = call i32 @largest_of.119(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
+  %.1029 = call i32 @largest_of.120(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
   %.1039 = load double, ptr %.1025, align 8
   switch i32 %.1029, label %B1220.endif.if [
     i32 -2, label %B1220.endif.endif
@@ -12702,7 +12828,7 @@ B1560.endif.endif.endif:
   br i1 %.225, label %B458, label %B1744
 }
 
-define internal i32 @is_far.117(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
+define internal i32 @is_far.118(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
 entry:
   %.159 = alloca double, align 8
   store double 0.000000e+00, ptr %.159, align 8
@@ -12831,14 +12957,14 @@ B300.endif:
   br i1 %.317, label %B346, label %B350
 }
 
-define internal i32 @numba.118(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+define internal i32 @numba.119(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
 entry:
   %.5 = fptosi double %arg.x to i64
   store i64 %.5, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @largest_of.119(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
+define internal i32 @largest_of.120(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
 entry:
   %.160 = alloca double, align 8
   store double 0.000000e+00, ptr %.160, align 8

@@ -22,6 +22,7 @@ from viscodesign._version import __version__
 from viscodesign.native.code_cache import cached
 from viscodesign.native.machine import load, object_code, this_machine
 from viscodesign.native.source import (
+    angles,
     bands,
     elimination,
     equilibria,
@@ -54,6 +55,7 @@ SOURCES = (
     rows,
     row_operations,
     tape,
+    angles,
     filters,
     bands,
     equilibria,
@@ -109,8 +111,9 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
         *("count", "places", "reals", "counts", "counts", "reals", "counts", "counts"),
         *("count", "reals", "reals"),
     ),
-    "follow": ("count", "count", "count", *["reals"] * 6),
-    "follow_turning": ("count", "count", "count", *["reals"] * 6),
+    "sines_and_cosines": ("count", *["reals"] * 3),
+    "follow": ("count", "count", "count", *["reals"] * 7),
+    "follow_turning": ("count", "count", "count", *["reals"] * 7),
     "have_signs": (*["count"] * 4, "places", "places", *["reals"] * 3, "counts"),
     "follow_equilibria": (
         *(*_KERNELS, "places", "places", "places", "reals", "count", *["places"] * 5),

@@ -69,7 +69,7 @@ def chain(estimate: MotionEstimate) -> tuple[np.ndarray, np.ndarray]:
 def test_a_linear_chain_is_solved_exactly(start: str) -> None:
     estimate = bare("bellows.count=4", RAMPS, SHORT, f"run.start={start}", "gauge_pressure=1 kPa")
     estimate = estimate.plus(EstimateTerm(distributed=True))
-    inlet = estimate.setting.drive[:, 0]
+    inlet = estimate.setting.drive[0]
     leaving, feed = chain(estimate)
     capacity = estimate.setting.compliance
     first = np.full(4, inlet[0] if start == "equilibrium" else 0.0)
@@ -80,7 +80,7 @@ def test_a_linear_chain_is_solved_exactly(start: str) -> None:
 
 def test_flows_follow_from_the_pressures() -> None:
     estimate = bare("bellows.count=4", RAMPS, SHORT).plus(EstimateTerm(distributed=True))
-    pressure, inlet = estimate.network.pressure, estimate.setting.drive[:, 0]
+    pressure, inlet = estimate.network.pressure, estimate.setting.drive[0]
     along = np.column_stack((inlet, pressure[:, [0, 1, 3, 2]]))
     expected = -np.diff(along, axis=1) / estimate.setting.resistance
     assert estimate.network.flows() == pytest.approx(expected, rel=1e-9, abs=1e-15)
@@ -101,7 +101,7 @@ def test_inertance_of_one_tube_is_an_oscillator() -> None:
     assert resistance < 2 * math.sqrt(inertance / capacity)  # it rings
     matrix = np.array([[0.0, 1 / capacity], [-1 / inertance, -resistance / inertance]])
     feed = np.array([0.0, 1 / inertance])
-    state = exact(estimate, matrix, feed, np.zeros(2), estimate.setting.drive[:, 0])
+    state = exact(estimate, matrix, feed, np.zeros(2), estimate.setting.drive[0])
     assert np.max(np.abs(estimate.network.pressure[:, 0] - state[:, 0])) <= 1e-3
     flow = estimate.network.flows()[:, 0]
     # Driven by pressures that are straight between samples, which is near enough.
@@ -125,7 +125,7 @@ def test_sealed_islands_keep_their_amount(uniform: bool) -> None:
     assert np.all(estimate.network.pressure[:, 1:] == pytest.approx(2e3, rel=1e-12))
     # What loads take up in one bellow of the island leaves the other.
     taken[:, 2] = 1e-8 * estimate.setting.time
-    found = estimate.network.averaged.networks.pressures(taken[None])[0]
+    found = estimate.network.averaged.networks.pressures(taken.T[None])[0].T
     held = estimate.setting.compliance * (found[:, 2:4] - 2e3).sum(axis=1) + taken[:, 2]
     assert np.max(np.abs(held)) <= 1e-12 * np.max(np.abs(taken))
     assert np.max(np.abs(found[:, 2] - 2e3)) > 0.1
@@ -141,7 +141,7 @@ def test_a_plunger_fills_its_closed_network(uniform: bool) -> None:
         "input={kind: syringe, diameter: 20 mm, start: 40 mm, rows: [[0, 0], [1, 1 mm]]}",
     ).plus(EstimateTerm(distributed=not uniform))
     pushed = np.pi / 4 * 0.02**2 * np.interp(estimate.setting.time, [0, 1], [0, 1e-3])
-    everywhere = estimate.network.averaged.networks.pressures()[0]
+    everywhere = estimate.network.averaged.networks.pressures()[0].T
     capacity = np.array([estimate.setting.compliance] * 4 + [estimate.setting.syringes["inlet"]])
     held = everywhere @ capacity
     assert np.max(np.abs(held - pushed)) <= 1e-8 * np.max(pushed)
@@ -355,7 +355,8 @@ def test_estimates_side_by_side_are_those_alone() -> None:
     for row, estimate in zip(together, side_by_side(), strict=True):
         alone = tips([estimate])[0]
         assert np.max(np.abs(row - alone)) <= 1e-9 * LEG_LENGTH
-    assert len(np.unique(np.round(together[:, -1] / LEG_LENGTH, 12))) == len(together)
+    ends = np.round(together[..., -1] / LEG_LENGTH, 12)
+    assert len(np.unique(ends, axis=0)) == len(together)
 
 
 def test_rounds_end_where_means_have_settled(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -392,7 +393,7 @@ def test_what_settles_beside_others_is_what_settles_alone() -> None:
 
     own = [EstimateTerm(flow_loss=partial(lost, factor)) for factor in (1e4, 1e6, 1e8)]
     together = [estimate.plus(term).network for term in own]
-    found = [one.pressure for one in average_all(together)]
+    found = [one.pressure.T for one in average_all(together)]
     for term, pressure in zip(own, found, strict=True):
         alone = bare(RAMPS, SHORT).plus(EstimateTerm(distributed=True), term).network.pressure
         assert np.max(np.abs(pressure - alone)) <= 1e-12 * np.max(np.abs(alone))
