@@ -153,7 +153,7 @@ def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> tuple[Names, 
         before = names
         # In the catalogue's order, so that equal costs are always met in the same one.
         loose = [n for n in sets.effects if n in names - required and n not in dominant]
-        flipped = _flipped(sets, names, dominant)
+        flipped = {n: sets.without(names, n) for n in loose}
         displacements.prepare(names, flipped.values())
         cost = {n: displacements.between(names, flipped[n]) for n in loose}
         most = NUMBERS.always_kept * share

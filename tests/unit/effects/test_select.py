@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import FrozenInstanceError, fields
 from functools import cache
 from itertools import pairwise
@@ -16,14 +16,19 @@ from hypothesis import strategies as st
 from tests.scenes import LEG_LENGTH, leg
 from viscodesign import check, simulate
 from viscodesign.checks.check import Check
+from viscodesign.effects import select, tip_displacements
+from viscodesign.effects.allowed_sets import Names
 from viscodesign.effects.catalogue import catalogue, every_effect
 from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import NUMBERS, Selection, select_effects
+from viscodesign.effects.tip_displacements import TipDisplacements
+from viscodesign.estimate import linear_network, modal_response, swinging_rods
 from viscodesign.estimate.linear_network import LinearNetworks
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.results.findings import Verdict
+from viscodesign.storage.lru_cache import LruCache
 
 AUTO = "effects=auto"
 SLOW = ("input={kind: sine, amplitude: 3 kPa, frequency: 0.001 Hz}", "fluid=water",
@@ -164,6 +169,58 @@ def test_omitted_effects_may_add_up_to_more_than_each_alone(
     monkeypatch.setattr("viscodesign.effects.catalogue.catalogue", lambda: known)
     found = {e.name for e in selection(AUTO, STILL).effects}
     assert len(found & {"push", "shove"}) == 1
+
+
+# -- what choosing costs ------------------------------------------------------
+
+RINGING = ("bellows.count=4", "fluid=water", "loads.gravity={tilt: 90 deg}",
+           "input={kind: square, high: 5 kPa, low: 0 kPa, frequency: 3 Hz}",
+           "run={duration: 2 s, output_interval: 10 ms}")  # fmt: skip
+
+
+@pytest.mark.parametrize("scene", [SMALL, RINGING, SCENES["soft tubes"]])
+def test_no_motion_is_estimated_in_vain(
+    scene: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every set of effects whose motion is estimated is compared with another, and once."""
+    estimated, compared = list[MotionEstimate](), set[frozenset[str]]()
+    plain_tips, plain_between = tip_displacements.tips, TipDisplacements.between
+
+    def tips(estimates: Sequence[MotionEstimate]) -> np.ndarray:
+        estimated.extend(estimates)
+        return plain_tips(estimates)
+
+    def between(self: TipDisplacements, one: Names, other: Names) -> float:
+        if one != other:
+            compared.update((one, other))
+        return plain_between(self, one, other)
+
+    monkeypatch.setattr(tip_displacements, "tips", tips)
+    monkeypatch.setattr(tip_displacements, "_distances", LruCache(1))
+    monkeypatch.setattr(select, "_choices", LruCache(1))
+    monkeypatch.setattr(TipDisplacements, "between", between)
+    found = selection(AUTO, *scene)
+    assert len(found.active) < len(found.everything)
+    assert len(estimated) == len(compared)
+
+
+@pytest.mark.parametrize(("scene", "most"), [(SMALL, 250_000), (RINGING, 245_000)])
+def test_filters_of_choosing(
+    scene: tuple[str, ...], most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Networks that begin alike are filtered once, and only rods that swing are."""
+    filtered, plain = list[int](), modal_response.first_order
+
+    def counted(*given: np.ndarray) -> np.ndarray:
+        filtered.append(given[2].size)
+        return plain(*given)
+
+    monkeypatch.setattr(tip_displacements, "_distances", LruCache(1))
+    monkeypatch.setattr(select, "_choices", LruCache(1))
+    for place in (modal_response, linear_network, swinging_rods):
+        monkeypatch.setattr(place, "first_order", counted)
+    selection(AUTO, *scene)
+    assert 0.5 * most < sum(filtered) <= most
 
 
 # -- what costs nothing -----------------------------------------------------
