@@ -38,7 +38,18 @@ KINDS = {
     "places": types.CPointer(types.int32),
     "reals": types.CPointer(types.float64),
 }
-INLINED = ("copy", "copy_block", "add_scaled", "gather", "scatter", "numba", "enlist", "delist")
+INLINED = (
+    "sine_and_cosine",
+    "exponential",
+    "copy",
+    "copy_block",
+    "add_scaled",
+    "gather",
+    "scatter",
+    "numba",
+    "enlist",
+    "delist",
+)
 """Loops that are copied into what calls them; the others keep that arrays never overlap."""
 
 
@@ -68,6 +79,20 @@ def call_kernel(context: Any, kernels: Any, k: Any, local: Any, numbers: Any, ou
     return types.int64(kernels, types.int64, local, numbers, out), code
 
 
+@intrinsic
+def power_of_two(context: Any, whole: Any) -> Any:
+    """2 to the power of a whole number, which are the exponent's bits."""
+    del context
+
+    def code(_: Any, builder: Any, __: Any, arguments: Any) -> Any:
+        real, bits = arguments[0].type, ir.IntType(64)
+        # 1.5 times 2^52 more: then the lowest bits of the mantissa are the number.
+        count = builder.bitcast(builder.fadd(arguments[0], real(6755399441055744.0)), bits)
+        return builder.bitcast(builder.add(builder.shl(count, bits(52)), bits(1023 << 52)), real)
+
+    return types.float64(types.float64), code
+
+
 def main() -> None:
     """Write the IR."""
     target = loops.IR_FILE
@@ -80,7 +105,7 @@ def loops_ir() -> str:
     given: dict[str, Any] = {}
     for source in loops.SOURCES:
         given |= vars(source)
-    given |= {"part": part, "call_kernel": call_kernel}
+    given |= {"part": part, "call_kernel": call_kernel, "power_of_two": power_of_two}
     options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
     for name in [name for source in loops.SOURCES for name in loops.functions_of(source)]:
         own = FunctionType(given[name].__code__, given, name)

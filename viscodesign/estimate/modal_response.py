@@ -6,14 +6,16 @@ counts filters, and the last, which counts samples.
 
 from __future__ import annotations
 
+import contextlib
 import math
+from collections.abc import Callable, Sequence
 from enum import Enum
 from typing import Any
 
 import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.native.angles import sines_and_cosines
+from viscodesign.native.angles import MAX_ANGLE
 from viscodesign.native.loops import native_loops
 from viscodesign.native.machine import this_machine
 from viscodesign.native.source.filters import NEARLY_ZERO
@@ -39,35 +41,34 @@ def first_order(
     ``rate`` (M,) [1/s] may be complex; ``drive`` (M, ..., T) is real; ``time`` (T,) ascending,
     equal times are a jump; ``start`` (M, ...). Exact for a drive that is linear between samples.
     """
-    step, channels = np.diff(time), math.prod(drive.shape[1:-1])
-    flat = drive.reshape(len(rate), channels, len(time))
-    begin = start.reshape(len(rate), channels)
-    try:
-        found = _followed(rate, step, flat, begin)
-    except NativeUnavailable:
-        growth, level, ramp = (c[..., None] for c in _over_steps(rate, step))
-        sampled = np.moveaxis(flat, -1, 0)
-        gain = level * sampled[:-1] + ramp * np.diff(sampled, axis=0)
-        found = np.moveaxis(_joined(growth, gain, begin), 0, -1)
-    return found.reshape(drive.shape)
+    if not np.iscomplexobj(rate):
+        with contextlib.suppress(NativeUnavailable):
+            return _by_loop("follow", [rate], time, drive, np.array(start, dtype=float))
+    channels = math.prod(drive.shape[1:-1])
+    sampled = np.moveaxis(drive.reshape(len(rate), channels, len(time)), -1, 0)
+    growth, level, ramp = (c[..., None] for c in _over_steps(rate, np.diff(time)))
+    gain = level * sampled[:-1] + ramp * np.diff(sampled, axis=0)
+    found = _joined(growth, gain, start.reshape(len(rate), channels))
+    return np.moveaxis(found, 0, -1).reshape(drive.shape)
 
 
-def _followed(
-    rate: np.ndarray, step: np.ndarray, drive: np.ndarray, start: np.ndarray
+def _by_loop(
+    loop: str,
+    numbers: Sequence[np.ndarray],
+    time: np.ndarray,
+    drive: np.ndarray,
+    state: np.ndarray,
 ) -> np.ndarray:
-    """The same natively (M, C, T), for steps (T - 1,). Raises `NativeUnavailable`."""
+    """By a loop of `native.source.filters`, by what it needs of each filter: real (M, ..., T).
+
+    ``state`` (M, ...) becomes the end. Raises `NativeUnavailable`.
+    """
     this_machine()  # code that was made before may have been switched off
-    loops = native_loops()
-    growth, loop, parts = np.exp(rate.real[:, None] * step), "follow", 1
-    if np.iscomplexobj(rate):
-        sine, cosine = sines_and_cosines(rate.imag[:, None] * step)
-        growth = np.stack([growth * cosine, growth * sine], axis=1)
-        loop, parts = "follow_turning", 2
-    found = np.empty(drive.shape, dtype=rate.dtype)
-    added, begin = np.empty(2 * parts * len(step)), np.array(start, dtype=rate.dtype)
-    numbers = (step, rate, growth, drive, begin, added, found)
-    reals = [np.ascontiguousarray(values).view(float).reshape(-1) for values in numbers]
-    loops(loop, len(step), *drive.shape[:2], *reals)
+    loops, step = native_loops(), np.diff(time)
+    found, room = np.empty(drive.shape), np.empty(6 * len(step))
+    given = (step, *numbers, drive, state, room, found)
+    reals = [np.ascontiguousarray(values).view(float).reshape(-1) for values in given]
+    loops(loop, len(step), len(drive), math.prod(drive.shape[1:-1]), *reals)
     return found
 
 
@@ -136,9 +137,13 @@ def second_order(
     ``delay`` (M,) [s] > 0, ``rate`` (M,) [1/s]. A rate of zero stays at zero.
     """
     filters = _SecondOrder(delay, rate, time, drive, start)
-    square = filters.square
+    swings, far = filters.square < 0.0, filters.largest_turn > MAX_ANGLE
     found = np.zeros(drive.shape)
-    for own, response in ((square < 0.0, _swinging), (square >= 0.0, _creeping)):
+    for own, response in (
+        (swings & ~far, _swinging),
+        (swings & far, _swinging_far),
+        (~swings, _creeping),
+    ):
         own &= rate > 0.0
         if own.all():
             return response(filters)
@@ -162,6 +167,18 @@ class _SecondOrder:
         """Square of the poles' distance from the middle, relative to the middle (M,) [1]."""
         return np.asarray(1 - 4 * self.delay * self.rate)
 
+    @property
+    def turning(self) -> tuple[np.ndarray, np.ndarray]:
+        """One of two complex poles (M,), and what its imaginary part is to be multiplied by."""
+        root = np.maximum(np.sqrt(np.maximum(-self.square, 0.0)), MIN_ROOT)
+        return (1j * root - 1) / (2 * self.delay), 2 / root
+
+    @property
+    def largest_turn(self) -> np.ndarray:
+        """Angle by which each swings in the longest step (M,) [rad]."""
+        longest = np.max(np.diff(self.time), initial=0.0)
+        return np.asarray(longest * self.turning[0].imag)
+
     def some(self, own: np.ndarray) -> _SecondOrder:
         """Some of the filters."""
         numbers = self.delay[own], self.rate[own], self.time, self.drive[own]
@@ -174,9 +191,25 @@ class _SecondOrder:
 
 def _swinging(filters: _SecondOrder) -> np.ndarray:
     """Those with a pair of complex poles, of which one tells the other."""
-    root = np.maximum(np.sqrt(-filters.square), MIN_ROOT)
-    found = filters.of_pole((1j * root - 1) / (2 * filters.delay))
-    return np.asarray(found.imag * _wide(2 / root, found))
+    pole, scale = filters.turning
+    drive, time = filters.drive, filters.time
+
+    def ended(state: np.ndarray) -> np.ndarray:
+        _by_loop("follow_turning", [pole, scale], time, drive, state)
+        return state
+
+    try:
+        state = start_of(filters.start, _held(pole, drive), pole, time, drive, ended)
+        return _by_loop("follow_turning", [pole, scale], time, drive, state)
+    except NativeUnavailable:
+        return _swinging_far(filters)
+
+
+def _swinging_far(filters: _SecondOrder) -> np.ndarray:
+    """The same by arrays, also where they turn by more than the loop takes."""
+    pole, scale = filters.turning
+    found = filters.of_pole(pole)
+    return np.asarray(found.imag * _wide(scale, found))
 
 
 def _creeping(filters: _SecondOrder) -> np.ndarray:
@@ -203,8 +236,13 @@ def _from_start(
     pole: np.ndarray, time: np.ndarray, drive: np.ndarray, start: FilterStart
 ) -> np.ndarray:
     """One pole's filter."""
-    held = drive[..., 0] * _wide(-1 / pole, drive[..., 0])
-    return first_order(pole, time, drive, start_of(start, held, pole, time, drive))
+    own = (pole, time, drive)
+    return first_order(*own, start_of(start, _held(pole, drive), *own))
+
+
+def _held(pole: np.ndarray, drive: np.ndarray) -> np.ndarray:
+    """Values (M, ...) in equilibrium with the first drive."""
+    return np.asarray(drive[..., 0] * _wide(-1 / pole, drive[..., 0]))
 
 
 def start_of(
@@ -213,13 +251,18 @@ def start_of(
     rate: np.ndarray,
     time: np.ndarray,
     drive: np.ndarray,
+    ended: Callable[[np.ndarray], np.ndarray] | None = None,
 ) -> np.ndarray:
-    """Values (M, ...) at which filters of `first_order` start; ``settled``: in equilibrium."""
+    """Values (M, ...) at which filters start; ``settled``: in equilibrium.
+
+    ``ended``: where they end that start somewhere, if not by `first_order`.
+    """
     if start is FilterStart.EQUILIBRIUM:
         return settled
+    nothing = np.zeros_like(settled)
     if start is FilterStart.REST:
-        return np.zeros_like(settled)
+        return nothing
     # What is left of the start in the end, and what the drive has added to it.
     lost = _wide(-np.expm1(rate * (time[-1] - time[0])), settled)
-    added = first_order(rate, time, drive, np.zeros_like(settled))[..., -1]
+    added = ended(nothing) if ended else first_order(rate, time, drive, nothing)[..., -1]
     return np.where(lost != 0, added / np.where(lost != 0, lost, 1.0), 0.0)

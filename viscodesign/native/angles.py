@@ -8,13 +8,13 @@ from viscodesign.native.loops import native_loops
 from viscodesign.native.machine import this_machine
 from viscodesign.native.unavailable import NativeUnavailable
 
-LARGEST = 1e5
+MAX_ANGLE = 1e6
 """Angle up to which the loop keeps all digits [rad]."""
 
 
 def sines_and_cosines(angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Of angles [rad] of any shape; natively in a tenth of the time that NumPy takes."""
-    if not np.max(np.abs(angle), initial=0.0) <= LARGEST:
+    if not np.max(np.abs(angle), initial=0.0) <= MAX_ANGLE:
         return np.sin(angle), np.cos(angle)
     try:
         this_machine()  # code that was made before may have been switched off

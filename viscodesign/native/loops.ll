@@ -1,4 +1,4 @@
-; made from 4b31ef2466b6ee0bef3b4a90379848ea90be97cfa10da77d2060581314d6fda0
+; made from 8f4e902519141135e6be250b5d83b2c274a687d9a193528165d769e0390f180d
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -11742,461 +11742,631 @@ define i64 @sines_and_cosines(i64 %a0, ptr %a1, ptr %a2, ptr %a3) {
 
 define internal i32 @sines_and_cosines.113(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.count, ptr noalias %arg.angle, ptr noalias %arg.sine, ptr noalias %arg.cosine) noinline {
 entry:
-  %.9639.not = icmp slt i64 %arg.count, 1
-  br i1 %.9639.not, label %B616, label %B36.if
+  %.137 = alloca [2 x double], align 8
+  %.fca.1.gep = getelementptr inbounds nuw i8, ptr %.137, i64 8
+  %excinfo.1 = alloca ptr, align 8
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.137, i8 0, i64 16, i1 false)
+  store ptr null, ptr %excinfo.1, align 8
+  %.9553.not = icmp slt i64 %arg.count, 1
+  br i1 %.9553.not, label %B100, label %B34.if
 
-B616:
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B100 ], [ %.141, %B36.if ]
+  ret i32 %common.ret.op
+
+B100:
   store ptr null, ptr %retptr, align 8
-  ret i32 0
+  br label %common.ret
+
+B34.if:
+  %.37.054 = phi i64 [ %.108, %B36.endif ], [ 0, %entry ]
+  %.135 = getelementptr double, ptr %arg.angle, i64 %.37.054
+  %.136 = load double, ptr %.135, align 8
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.137, i8 0, i64 16, i1 false)
+  %.141 = call i32 @sine_and_cosine.114(ptr nonnull %.137, ptr nonnull %excinfo.1, double %.136)
+  switch i32 %.141, label %B36.if [
+    i32 -2, label %B36.endif
+    i32 0, label %B36.endif
+  ]
 
 B36.if:
-  %.37.040 = phi i64 [ %.109, %B36.if ], [ 0, %entry ]
-  %.109 = add nuw nsw i64 %.37.040, 1
-  %.139 = getelementptr double, ptr %arg.angle, i64 %.37.040
-  %.140 = load double, ptr %.139, align 8
-  %.141 = fmul contract double %.140, 0x3FE45F306DC9C883
-  %.142 = fadd contract double %.141, 0x4338000000000000
-  %.143 = fadd contract double %.142, 0xC338000000000000
-  %.148 = fmul contract double %.143, 0x3FF921FB54400000
-  %.149 = fsub contract double %.140, %.148
-  %.150 = fmul contract double %.143, 0x3DD0B4611A600000
-  %.151 = fsub contract double %.149, %.150
-  %.152 = fmul contract double %.143, 0x3BA3198A2E037073
-  %.153 = fsub contract double %.151, %.152
-  %.158 = fmul contract double %.143, 2.500000e-01
-  %.159 = fadd contract double %.158, 0x4338000000000000
-  %.160 = fadd contract double %.159, 0xC338000000000000
-  %.162 = fmul contract double %.160, 4.000000e+00
-  %.163 = fsub contract double %.143, %.162
-  %.167 = fmul contract double %.153, %.153
-  %.168 = fmul contract double %.167, 0x3DE5D93A5ACFD57C
-  %.169 = fadd contract double %.168, 0xBE5AE5E68A2B9CEB
-  %.170 = fmul contract double %.167, %.169
-  %.171 = fadd contract double %.170, 0x3EC71DE357B1FE7D
-  %.172 = fmul contract double %.167, %.171
-  %.173 = fadd contract double %.172, 0xBF2A01A019C161D5
-  %.174 = fmul contract double %.167, %.173
-  %.175 = fadd contract double %.174, 0x3F8111111110F8A6
-  %.176 = fmul contract double %.167, %.175
-  %.177 = fadd contract double %.176, 0xBFC5555555555549
-  %.178 = fmul contract double %.153, %.167
-  %.179 = fmul contract double %.178, %.177
-  %.180 = fadd contract double %.153, %.179
-  %.184 = fmul contract double %.167, 0x3DA8FAE9BE8838D4
-  %.185 = fsub contract double 0x3E21EE9EBDB4B1C4, %.184
-  %.186 = fmul contract double %.167, %.185
-  %.187 = fadd contract double %.186, 0xBE927E4F809C52AD
-  %.188 = fmul contract double %.167, %.187
-  %.189 = fadd contract double %.188, 0x3EFA01A019CB1590
-  %.190 = fmul contract double %.167, %.189
-  %.191 = fadd contract double %.190, 0xBF56C16C16C15177
-  %.192 = fmul contract double %.167, %.191
-  %.193 = fadd contract double %.192, 0x3FA555555555554C
-  %.198 = fmul contract double %.167, 5.000000e-01
-  %.199 = fmul contract double %.167, %.167
-  %.200 = fmul contract double %.199, %.193
-  %0 = fsub contract double %.200, %.198
-  %.203 = fadd contract double %0, 1.000000e+00
-  %.209 = fmul contract double %.163, %.163
-  %.210 = fcmp contract oeq double %.209, 1.000000e+00
-  %.203..180 = select i1 %.210, double %.203, double %.180
-  %"$phi488.2.2.1" = select i1 %.210, double %.180, double %.203
-  %.259 = fadd contract double %.163, -5.000000e-01
-  %.260 = call contract double @llvm.fabs.f64(double %.259)
-  %.261 = fcmp contract olt double %.260, 1.000000e+00
-  %.271 = fneg contract double %.203..180
-  %"$phi544.1.2.1" = select i1 %.261, double %.203..180, double %.271
-  %.280 = getelementptr double, ptr %arg.sine, i64 %.37.040
-  store double %"$phi544.1.2.1", ptr %.280, align 8
-  %.285 = fadd contract double %.163, 5.000000e-01
-  %.288 = call contract double @llvm.fabs.f64(double %.285)
-  %.289 = fcmp contract olt double %.288, 1.000000e+00
-  %.299 = fneg contract double %"$phi488.2.2.1"
-  %"$phi604.1.2.1" = select i1 %.289, double %"$phi488.2.2.1", double %.299
-  %.308 = getelementptr double, ptr %arg.cosine, i64 %.37.040
-  store double %"$phi604.1.2.1", ptr %.308, align 8
-  %exitcond.not = icmp eq i64 %arg.count, %.109
-  br i1 %exitcond.not, label %B616, label %B36.if
+  %.149 = icmp sgt i32 %.141, 0
+  %.142 = load ptr, ptr %excinfo.1, align 8
+  %.150 = select i1 %.149, ptr %.142, ptr undef
+  store ptr %.150, ptr %excinfo, align 8
+  br label %common.ret
+
+B36.endif:
+  %.108 = add nuw nsw i64 %.37.054, 1
+  %.151.fca.1.load = load double, ptr %.fca.1.gep, align 8
+  %.151.fca.0.load = load double, ptr %.137, align 8
+  %.164 = getelementptr double, ptr %arg.sine, i64 %.37.054
+  store double %.151.fca.0.load, ptr %.164, align 8
+  %.167 = getelementptr double, ptr %arg.cosine, i64 %.37.054
+  store double %.151.fca.1.load, ptr %.167, align 8
+  %exitcond.not = icmp eq i64 %arg.count, %.108
+  br i1 %exitcond.not, label %B100, label %B34.if
 }
 
-define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
+define internal i32 @sine_and_cosine.114(ptr noalias %retptr, ptr noalias %excinfo, double %arg.angle) {
+entry:
+  %.5 = fmul contract double %arg.angle, 0x3FE45F306DC9C883
+  %.6 = fadd contract double %.5, 0x4338000000000000
+  %.7 = fadd contract double %.6, 0xC338000000000000
+  %.8 = fmul contract double %.7, 0x3FF921FB54400000
+  %.9 = fsub contract double %arg.angle, %.8
+  %.10 = fmul contract double %.7, 0x3DD0B4611A600000
+  %.11 = fsub contract double %.9, %.10
+  %.12 = fmul contract double %.7, 0x3BA3198A2E037073
+  %.13 = fsub contract double %.11, %.12
+  %.18 = fmul contract double %.7, 2.500000e-01
+  %.19 = fadd contract double %.18, 0x4338000000000000
+  %.20 = fadd contract double %.19, 0xC338000000000000
+  %.22 = fmul contract double %.20, 4.000000e+00
+  %.23 = fsub contract double %.7, %.22
+  %.27 = fmul contract double %.13, %.13
+  %.28 = fmul contract double %.27, 0x3DE5D93A5ACFD57C
+  %.29 = fadd contract double %.28, 0xBE5AE5E68A2B9CEB
+  %.30 = fmul contract double %.27, %.29
+  %.31 = fadd contract double %.30, 0x3EC71DE357B1FE7D
+  %.32 = fmul contract double %.27, %.31
+  %.33 = fadd contract double %.32, 0xBF2A01A019C161D5
+  %.34 = fmul contract double %.27, %.33
+  %.35 = fadd contract double %.34, 0x3F8111111110F8A6
+  %.36 = fmul contract double %.27, %.35
+  %.37 = fadd contract double %.36, 0xBFC5555555555549
+  %.38 = fmul contract double %.13, %.27
+  %.39 = fmul contract double %.38, %.37
+  %.40 = fadd contract double %.13, %.39
+  %.44 = fmul contract double %.27, 0x3DA8FAE9BE8838D4
+  %.45 = fsub contract double 0x3E21EE9EBDB4B1C4, %.44
+  %.46 = fmul contract double %.27, %.45
+  %.47 = fadd contract double %.46, 0xBE927E4F809C52AD
+  %.48 = fmul contract double %.27, %.47
+  %.49 = fadd contract double %.48, 0x3EFA01A019CB1590
+  %.50 = fmul contract double %.27, %.49
+  %.51 = fadd contract double %.50, 0xBF56C16C16C15177
+  %.52 = fmul contract double %.27, %.51
+  %.53 = fadd contract double %.52, 0x3FA555555555554C
+  %.58 = fmul contract double %.27, 5.000000e-01
+  %.59 = fmul contract double %.27, %.27
+  %.60 = fmul contract double %.59, %.53
+  %0 = fsub contract double %.60, %.58
+  %.63 = fadd contract double %0, 1.000000e+00
+  %.69 = fmul contract double %.23, %.23
+  %.70 = fcmp contract oeq double %.69, 1.000000e+00
+  %.63..40 = select i1 %.70, double %.63, double %.40
+  %"$phi428.1.2.0" = select i1 %.70, double %.40, double %.63
+  %.119 = fadd contract double %.23, -5.000000e-01
+  %.120 = call contract double @llvm.fabs.f64(double %.119)
+  %.121 = fcmp contract olt double %.120, 1.000000e+00
+  %.131 = fneg contract double %.63..40
+  %"$phi484.0.2.0" = select i1 %.121, double %.63..40, double %.131
+  %.144 = fadd contract double %.23, 5.000000e-01
+  %.147 = call contract double @llvm.fabs.f64(double %.144)
+  %.148 = fcmp contract olt double %.147, 1.000000e+00
+  %.158 = fneg contract double %"$phi428.1.2.0"
+  %"$phi538.0.2.0" = select i1 %.148, double %"$phi428.1.2.0", double %.158
+  store double %"$phi484.0.2.0", ptr %retptr, align 8
+  %retptr.repack1 = getelementptr inbounds nuw i8, ptr %retptr, i64 8
+  store double %"$phi538.0.2.0", ptr %retptr.repack1, align 8
+  ret i32 0
+}
+
+define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow.114(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @follow.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
   ret i64 0
 }
 
-define internal i32 @follow.114(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.added, ptr noalias %arg.found) noinline {
+define internal i32 @follow.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
-  %.114177.not = icmp slt i64 %arg.count, 1
-  br i1 %.114177.not, label %B760, label %B36.if.lr.ph
+  %.296 = alloca double, align 8
+  store double 0.000000e+00, ptr %.296, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.120183.not = icmp slt i64 %arg.count, 1
+  br i1 %.120183.not, label %B802, label %B50.if.lr.ph
 
-B36.if.lr.ph:
-  %.241167.not = icmp slt i64 %arg.steps, 1
-  %0 = getelementptr double, ptr %arg.added, i64 %arg.steps
-  %storemerge165 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
-  %.539174.not = icmp slt i64 %arg.channels, 1
-  %.578 = add nsw i64 %arg.steps, 1
-  %.673170.not = icmp slt i64 %arg.steps, 1
-  %1 = getelementptr double, ptr %arg.added, i64 %arg.steps
-  br label %B36.if
+B50.if.lr.ph:
+  %.30 = shl nsw i64 %arg.steps, 1
+  %.241173.not = icmp slt i64 %arg.steps, 1
+  %0 = getelementptr double, ptr %arg.room, i64 %arg.steps
+  %1 = getelementptr double, ptr %arg.room, i64 %.30
+  %storemerge171 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
+  %.572180.not = icmp slt i64 %arg.channels, 1
+  %.614 = add nsw i64 %arg.steps, 1
+  %.711176.not = icmp slt i64 %arg.steps, 1
+  %2 = getelementptr double, ptr %arg.room, i64 %arg.steps
+  %3 = getelementptr double, ptr %arg.room, i64 %.30
+  br label %B50.if
 
-B34.loopexit:
-  %exitcond181.not = icmp eq i64 %.127, %arg.count
-  br i1 %exitcond181.not, label %B760, label %B36.if
+B48.loopexit:
+  %exitcond188.not = icmp eq i64 %.133, %arg.count
+  br i1 %exitcond188.not, label %B802, label %B50.if
 
-B462:
-  br i1 %.539174.not, label %B34.loopexit, label %B512.if.lr.ph
+B494:
+  br i1 %.572180.not, label %B48.loopexit, label %B544.if.preheader
 
-B512.if.lr.ph:
-  %.453 = mul nuw nsw i64 %.55.0178, %arg.channels
-  %2 = getelementptr double, ptr %arg.growth, i64 %.157
-  br label %B512.if
+B544.if.preheader:
+  %.486 = mul nuw nsw i64 %.61.0184, %arg.channels
+  br label %B544.if
 
-B512.loopexit:
-  %.539 = icmp sgt i64 %.486.0176, 1
-  br i1 %.539, label %B512.if, label %B34.loopexit
+B786:
+  %value.2.2.lcssa = phi double [ %.620, %B544.if ], [ %.779, %B620.if ]
+  store double %value.2.2.lcssa, ptr %.619, align 8
+  %.572 = icmp sgt i64 %.519.0182, 1
+  br i1 %.572, label %B544.if, label %B48.loopexit
 
-B760:
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B802 ], [ %.300, %B86.if ]
+  ret i32 %common.ret.op
+
+B802:
   store ptr null, ptr %retptr, align 8
-  ret i32 0
+  br label %common.ret
 
-B36.if:
-  %.55.0178 = phi i64 [ 0, %B36.if.lr.ph ], [ %.127, %B34.loopexit ]
-  %.127 = add nuw nsw i64 %.55.0178, 1
-  %.157 = mul nsw i64 %.55.0178, %arg.steps
-  br i1 %.241167.not, label %B462, label %B80.if.lr.ph
+B50.if:
+  %.61.0184 = phi i64 [ 0, %B50.if.lr.ph ], [ %.133, %B48.loopexit ]
+  %.133 = add nuw nsw i64 %.61.0184, 1
+  br i1 %.241173.not, label %B494, label %B84.if.lr.ph
 
-B80.if.lr.ph:
-  %.288 = getelementptr double, ptr %arg.rate, i64 %.55.0178
+B84.if.lr.ph:
+  %.288 = getelementptr double, ptr %arg.rate, i64 %.61.0184
   %.289 = load double, ptr %.288, align 8
-  %3 = getelementptr double, ptr %arg.growth, i64 %.157
-  br label %B80.if
+  br label %B84.if
 
-B80.if:
-  %.185.0168 = phi i64 [ 0, %B80.if.lr.ph ], [ %.254, %B80.if ]
-  %.254 = add nuw nsw i64 %.185.0168, 1
-  %.284 = getelementptr double, ptr %arg.step, i64 %.185.0168
+B84.if:
+  %.185.0174 = phi i64 [ 0, %B84.if.lr.ph ], [ %.254, %B86.endif ]
+  %.284 = getelementptr double, ptr %arg.step, i64 %.185.0174
   %.285 = load double, ptr %.284, align 8
   %.290 = fmul contract double %.285, %.289
-  %.295 = fmul contract double %.290, 2.000000e-01
-  %.297 = fmul contract double %.290, 0x3FC5555555555555
-  %.299 = fmul contract double %.290, 0x3FC2492492492492
-  %.301 = fadd contract double %.299, 1.000000e+00
-  %.302 = fmul contract double %.297, %.301
-  %.304 = fadd contract double %.302, 1.000000e+00
-  %.305 = fmul contract double %.295, %.304
-  %.307 = fadd contract double %.305, 1.000000e+00
-  %.309 = fmul contract double %.290, 0x3FD5555555555555
-  %.315 = fmul contract double %.290, 2.500000e-01
-  %.316 = fmul contract double %.315, %.307
-  %.318 = fadd contract double %.316, 1.000000e+00
-  %.319 = fmul contract double %.309, %.318
-  %.321 = fadd contract double %.319, 1.000000e+00
-  %.329 = getelementptr double, ptr %3, i64 %.185.0168
-  %.330 = load double, ptr %.329, align 8
-  %.332 = fadd contract double %.330, -1.000000e+00
-  %.337 = fdiv contract double %.332, %.290
-  %.343 = fadd contract double %.337, -1.000000e+00
-  %.348 = fdiv contract double %.343, %.290
-  %.353 = call contract double @llvm.fabs.f64(double %.290)
-  %.354 = fcmp contract olt double %.353, 1.000000e-02
-  %.367 = fmul contract double %.290, 5.000000e-01
-  %.371 = fmul contract double %.367, %.321
-  %.373 = fadd contract double %.371, 1.000000e+00
-  %"$phi376.2.2.2" = select i1 %.354, double %.373, double %.337
-  %.403 = fmul contract double %.321, 5.000000e-01
-  %"$phi394.2.2.2" = select i1 %.354, double %.403, double %.348
-  %.426 = fmul contract double %.285, %"$phi376.2.2.2"
-  %.433 = fmul contract double %.285, %"$phi394.2.2.2"
-  %.436 = getelementptr double, ptr %arg.added, i64 %.185.0168
-  store double %.426, ptr %.436, align 8
-  %.444 = getelementptr double, ptr %0, i64 %.185.0168
-  store double %.433, ptr %.444, align 8
+  store double 0.000000e+00, ptr %.296, align 8
+  %.300 = call i32 @exponential.116(ptr nonnull %.296, ptr nonnull %excinfo.1, double %.290)
+  switch i32 %.300, label %B86.if [
+    i32 -2, label %B86.endif
+    i32 0, label %B86.endif
+  ]
+
+B86.if:
+  %.308 = icmp sgt i32 %.300, 0
+  %.301 = load ptr, ptr %excinfo.1, align 8
+  %.309 = select i1 %.308, ptr %.301, ptr undef
+  store ptr %.309, ptr %excinfo, align 8
+  br label %common.ret
+
+B86.endif:
+  %.310 = load double, ptr %.296, align 8
+  %.254 = add nuw nsw i64 %.185.0174, 1
+  %.324 = fmul contract double %.290, 2.000000e-01
+  %.326 = fmul contract double %.290, 0x3FC5555555555555
+  %.328 = fmul contract double %.290, 0x3FC2492492492492
+  %.330 = fadd contract double %.328, 1.000000e+00
+  %.331 = fmul contract double %.326, %.330
+  %.333 = fadd contract double %.331, 1.000000e+00
+  %.334 = fmul contract double %.324, %.333
+  %.336 = fadd contract double %.334, 1.000000e+00
+  %.338 = fmul contract double %.290, 0x3FD5555555555555
+  %.344 = fmul contract double %.290, 2.500000e-01
+  %.345 = fmul contract double %.344, %.336
+  %.347 = fadd contract double %.345, 1.000000e+00
+  %.348 = fmul contract double %.338, %.347
+  %.350 = fadd contract double %.348, 1.000000e+00
+  %.356 = fadd contract double %.310, -1.000000e+00
+  %.361 = fdiv contract double %.356, %.290
+  %.367 = fadd contract double %.361, -1.000000e+00
+  %.372 = fdiv contract double %.367, %.290
+  %.377 = call contract double @llvm.fabs.f64(double %.290)
+  %.378 = fcmp contract olt double %.377, 1.000000e-02
+  %.391 = fmul contract double %.290, 5.000000e-01
+  %.395 = fmul contract double %.391, %.350
+  %.397 = fadd contract double %.395, 1.000000e+00
+  %"$phi392.2.2.2" = select i1 %.378, double %.397, double %.361
+  %.427 = fmul contract double %.350, 5.000000e-01
+  %"$phi410.2.2.2" = select i1 %.378, double %.427, double %.372
+  %.450 = fmul contract double %.285, %"$phi392.2.2.2"
+  %.457 = fmul contract double %.285, %"$phi410.2.2.2"
+  %.461 = getelementptr double, ptr %arg.room, i64 %.185.0174
+  store double %.310, ptr %.461, align 8
+  %.469 = getelementptr double, ptr %0, i64 %.185.0174
+  store double %.450, ptr %.469, align 8
+  %.477 = getelementptr double, ptr %1, i64 %.185.0174
+  store double %.457, ptr %.477, align 8
   %exitcond.not = icmp eq i64 %arg.steps, %.254
-  br i1 %exitcond.not, label %B462, label %B80.if
+  br i1 %exitcond.not, label %B494, label %B84.if
 
-B512.if:
-  %.486.0176 = phi i64 [ %storemerge165, %B512.if.lr.ph ], [ %.548, %B512.loopexit ]
-  %.483.0175 = phi i64 [ %.453, %B512.if.lr.ph ], [ %.552, %B512.loopexit ]
-  %.548 = add nsw i64 %.486.0176, -1
-  %.552 = add i64 %.483.0175, 1
-  %.579 = mul nsw i64 %.483.0175, %.578
-  %.581 = getelementptr double, ptr %arg.state, i64 %.483.0175
-  %.582 = load double, ptr %.581, align 8
-  %.591 = getelementptr double, ptr %arg.found, i64 %.579
-  store double %.582, ptr %.591, align 8
-  br i1 %.673170.not, label %B512.loopexit, label %B588.if
+B544.if:
+  %.519.0182 = phi i64 [ %.581, %B786 ], [ %storemerge171, %B544.if.preheader ]
+  %.516.0181 = phi i64 [ %.585, %B786 ], [ %.486, %B544.if.preheader ]
+  %.581 = add nsw i64 %.519.0182, -1
+  %.585 = add i64 %.516.0181, 1
+  %.616 = mul nsw i64 %.516.0181, %.614
+  %.619 = getelementptr double, ptr %arg.state, i64 %.516.0181
+  %.620 = load double, ptr %.619, align 8
+  %.629 = getelementptr double, ptr %arg.found, i64 %.616
+  store double %.620, ptr %.629, align 8
+  br i1 %.711176.not, label %B786, label %B620.if
 
-B588.if:
-  %value.2.2173 = phi double [ %.741, %B588.if ], [ %.582, %B512.if ]
-  %.617.0171 = phi i64 [ %.686, %B588.if ], [ 0, %B512.if ]
-  %.686 = add nuw nsw i64 %.617.0171, 1
-  %.712 = add nsw i64 %.617.0171, %.579
-  %.714 = getelementptr double, ptr %arg.drive, i64 %.712
-  %.715 = load double, ptr %.714, align 8
-  %.717 = getelementptr double, ptr %arg.added, i64 %.617.0171
-  %.718 = load double, ptr %.717, align 8
-  %.719 = fmul contract double %.715, %.718
-  %.723 = getelementptr double, ptr %1, i64 %.617.0171
-  %.724 = load double, ptr %.723, align 8
-  %.727 = add nsw i64 %.712, 1
-  %.729 = getelementptr double, ptr %arg.drive, i64 %.727
-  %.730 = load double, ptr %.729, align 8
-  %.731 = fsub contract double %.730, %.715
-  %.732 = fmul contract double %.724, %.731
-  %.733 = fadd contract double %.719, %.732
-  %.737 = getelementptr double, ptr %2, i64 %.617.0171
-  %.738 = load double, ptr %.737, align 8
-  %.740 = fmul contract double %value.2.2173, %.738
-  %.741 = fadd contract double %.740, %.733
-  %.748 = getelementptr double, ptr %arg.found, i64 %.727
-  store double %.741, ptr %.748, align 8
-  %exitcond180.not = icmp eq i64 %arg.steps, %.686
-  br i1 %exitcond180.not, label %B512.loopexit, label %B588.if
+B620.if:
+  %value.2.2179 = phi double [ %.779, %B620.if ], [ %.620, %B544.if ]
+  %.655.0177 = phi i64 [ %.724, %B620.if ], [ 0, %B544.if ]
+  %.724 = add nuw nsw i64 %.655.0177, 1
+  %.750 = add nsw i64 %.655.0177, %.616
+  %.752 = getelementptr double, ptr %arg.drive, i64 %.750
+  %.753 = load double, ptr %.752, align 8
+  %.757 = getelementptr double, ptr %2, i64 %.655.0177
+  %.758 = load double, ptr %.757, align 8
+  %.759 = fmul contract double %.753, %.758
+  %.763 = getelementptr double, ptr %3, i64 %.655.0177
+  %.764 = load double, ptr %.763, align 8
+  %.767 = add nsw i64 %.750, 1
+  %.769 = getelementptr double, ptr %arg.drive, i64 %.767
+  %.770 = load double, ptr %.769, align 8
+  %.771 = fsub contract double %.770, %.753
+  %.772 = fmul contract double %.764, %.771
+  %.773 = fadd contract double %.759, %.772
+  %.775 = getelementptr double, ptr %arg.room, i64 %.655.0177
+  %.776 = load double, ptr %.775, align 8
+  %.778 = fmul contract double %value.2.2179, %.776
+  %.779 = fadd contract double %.778, %.773
+  %.786 = getelementptr double, ptr %arg.found, i64 %.767
+  store double %.779, ptr %.786, align 8
+  %exitcond187.not = icmp eq i64 %arg.steps, %.724
+  br i1 %exitcond187.not, label %B786, label %B620.if
+}
+
+define internal i32 @exponential.116(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+entry:
+  %.8 = fcmp contract ogt double %arg.x, -7.080000e+02
+  %arg.x. = select i1 %.8, double %arg.x, double -7.080000e+02
+  %.29 = fcmp contract olt double %arg.x., 7.100000e+02
+  %"$phi82.0.2.0" = select i1 %.29, double %arg.x., double 7.100000e+02
+  %.46 = fmul contract double %"$phi82.0.2.0", 0x3FF71547652B82FE
+  %.47 = fadd contract double %.46, 0x4338000000000000
+  %.48 = fadd contract double %.47, 0xC338000000000000
+  %.49 = fmul contract double %.48, 0x3FE62E42FEE00000
+  %.50 = fsub contract double %"$phi82.0.2.0", %.49
+  %.51 = fmul contract double %.48, 0x3DEA39EF35793C76
+  %.52 = fsub contract double %.50, %.51
+  %.53 = fmul contract double %.52, 0x3FB3B13B13B13B14
+  %.55 = fadd contract double %.53, 1.000000e+00
+  %.56 = fmul contract double %.52, %.55
+  %.57 = fmul contract double %.56, 0x3FB5555555555555
+  %.59 = fadd contract double %.57, 1.000000e+00
+  %.60 = fmul contract double %.52, %.59
+  %.61 = fmul contract double %.60, 0x3FB745D1745D1746
+  %.63 = fadd contract double %.61, 1.000000e+00
+  %.64 = fmul contract double %.52, %.63
+  %.65 = fmul contract double %.64, 1.000000e-01
+  %.67 = fadd contract double %.65, 1.000000e+00
+  %.68 = fmul contract double %.52, %.67
+  %.69 = fmul contract double %.68, 0x3FBC71C71C71C71C
+  %.71 = fadd contract double %.69, 1.000000e+00
+  %.72 = fmul contract double %.52, %.71
+  %.73 = fmul contract double %.72, 1.250000e-01
+  %.75 = fadd contract double %.73, 1.000000e+00
+  %.76 = fmul contract double %.52, %.75
+  %.77 = fmul contract double %.76, 0x3FC2492492492492
+  %.79 = fadd contract double %.77, 1.000000e+00
+  %.80 = fmul contract double %.52, %.79
+  %.81 = fmul contract double %.80, 0x3FC5555555555555
+  %.83 = fadd contract double %.81, 1.000000e+00
+  %.84 = fmul contract double %.52, %.83
+  %.85 = fmul contract double %.84, 2.000000e-01
+  %.87 = fadd contract double %.85, 1.000000e+00
+  %.88 = fmul contract double %.52, %.87
+  %.89 = fmul contract double %.88, 2.500000e-01
+  %.91 = fadd contract double %.89, 1.000000e+00
+  %.92 = fmul contract double %.52, %.91
+  %.93 = fmul contract double %.92, 0x3FD5555555555555
+  %.95 = fadd contract double %.93, 1.000000e+00
+  %.96 = fmul contract double %.52, %.95
+  %.97 = fmul contract double %.96, 5.000000e-01
+  %.99 = fadd contract double %.97, 1.000000e+00
+  %.100 = fmul contract double %.52, %.99
+  %.102 = fadd contract double %.100, 1.000000e+00
+  %.103 = fadd contract double %.48, 0x4338000000000000
+  %.104 = bitcast double %.103 to i64
+  %.105 = shl i64 %.104, 52
+  %.106 = add i64 %.105, 4607182418800017408
+  %.107 = bitcast i64 %.106 to double
+  %.108 = fmul contract double %.102, %.107
+  store double %.108, ptr %retptr, align 8
+  ret i32 0
 }
 
 define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_turning.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @follow_turning.117(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @follow_turning.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.growth, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.added, ptr noalias %arg.found) noinline {
+define internal i32 @follow_turning.117(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.scale, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
-  %.114202.not = icmp slt i64 %arg.count, 1
-  br i1 %.114202.not, label %B1580, label %B36.if.lr.ph
+  %.320 = alloca double, align 8
+  store double 0.000000e+00, ptr %.320, align 8
+  %excinfo.1 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.1, align 8
+  %.346 = alloca [2 x double], align 8
+  %.fca.1.gep = getelementptr inbounds nuw i8, ptr %.346, i64 8
+  %excinfo.2 = alloca ptr, align 8
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.346, i8 0, i64 16, i1 false)
+  store ptr null, ptr %excinfo.2, align 8
+  %.128250.not = icmp slt i64 %arg.count, 1
+  br i1 %.128250.not, label %B1664, label %B60.if.lr.ph
 
-B36.if.lr.ph:
-  %.249191.not = icmp slt i64 %arg.steps, 1
-  %0 = getelementptr double, ptr %arg.added, i64 %arg.steps
-  %.idx189 = shl i64 %arg.steps, 4
-  %1 = getelementptr i8, ptr %arg.added, i64 %.idx189
-  %.idx190 = mul i64 %arg.steps, 24
-  %2 = getelementptr i8, ptr %arg.added, i64 %.idx190
-  %storemerge186 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
-  %.732199.not = icmp slt i64 %arg.channels, 1
-  %.771 = add nsw i64 %arg.steps, 1
-  %.882194.not = icmp slt i64 %arg.steps, 1
-  %.idx = shl i64 %arg.steps, 4
-  %3 = getelementptr i8, ptr %arg.added, i64 %.idx
-  %4 = getelementptr double, ptr %arg.added, i64 %arg.steps
-  %.idx188 = mul i64 %arg.steps, 24
-  %5 = getelementptr i8, ptr %arg.added, i64 %.idx188
-  br label %B36.if
+B60.if.lr.ph:
+  %.35 = shl nsw i64 %arg.steps, 2
+  %.33 = shl nsw i64 %arg.steps, 1
+  %.250238.not = icmp slt i64 %arg.steps, 1
+  %0 = getelementptr double, ptr %arg.room, i64 %arg.steps
+  %1 = getelementptr double, ptr %arg.room, i64 %.33
+  %.idx235 = mul i64 %arg.steps, 24
+  %2 = getelementptr i8, ptr %arg.room, i64 %.idx235
+  %3 = getelementptr double, ptr %arg.room, i64 %.35
+  %.idx236 = mul i64 %arg.steps, 40
+  %4 = getelementptr i8, ptr %arg.room, i64 %.idx236
+  %storemerge232 = call i64 @llvm.smax.i64(i64 %arg.channels, i64 0)
+  %.807247.not = icmp slt i64 %arg.channels, 1
+  %.849 = add nsw i64 %arg.steps, 1
+  %.961241.not = icmp slt i64 %arg.steps, 1
+  %5 = getelementptr double, ptr %arg.room, i64 %arg.steps
+  %6 = getelementptr double, ptr %arg.room, i64 %.33
+  %7 = getelementptr double, ptr %arg.room, i64 %.35
+  %.idx = mul i64 %arg.steps, 24
+  %8 = getelementptr i8, ptr %arg.room, i64 %.idx
+  %.idx234 = mul i64 %arg.steps, 40
+  %9 = getelementptr i8, ptr %arg.room, i64 %.idx234
+  br label %B60.if
 
-B34.loopexit:
-  %exitcond206.not = icmp eq i64 %.127, %arg.count
-  br i1 %exitcond206.not, label %B1580, label %B36.if
+B58.loopexit:
+  %exitcond257.not = icmp eq i64 %.141, %arg.count
+  br i1 %exitcond257.not, label %B1664, label %B60.if
 
-B1036:
-  br i1 %.732199.not, label %B34.loopexit, label %B1086.if.lr.ph
+B1116:
+  br i1 %.807247.not, label %B58.loopexit, label %B1166.if.lr.ph
 
-B1086.if.lr.ph:
-  %.646 = mul nuw nsw i64 %.55.0203, %arg.channels
-  %6 = getelementptr double, ptr %arg.growth, i64 %.158
-  %7 = getelementptr double, ptr %arg.growth, i64 %.164
-  br label %B1086.if
+B1166.if.lr.ph:
+  %.723 = mul nuw nsw i64 %.69.0251, %arg.channels
+  %.874 = getelementptr double, ptr %arg.scale, i64 %.69.0251
+  %.875 = load double, ptr %.874, align 8
+  br label %B1166.if
 
-B1086.loopexit:
-  %.732 = icmp sgt i64 %.679.0201, 1
-  br i1 %.732, label %B1086.if, label %B34.loopexit
+B1618:
+  %yi.2.2.lcssa = phi double [ %.862, %B1166.if ], [ %.1060, %B1294.if ]
+  %yr.2.2.lcssa = phi double [ %.856, %B1166.if ], [ %.1054, %B1294.if ]
+  store double %yr.2.2.lcssa, ptr %.855, align 8
+  store double %yi.2.2.lcssa, ptr %.861, align 8
+  %.807 = icmp sgt i64 %.754.0249, 1
+  br i1 %.807, label %B1166.if, label %B58.loopexit
 
-B1580:
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B1664 ], [ %.350, %B98.endif.if ], [ %.324, %B98.if ]
+  ret i32 %common.ret.op
+
+B1664:
   store ptr null, ptr %retptr, align 8
-  ret i32 0
+  br label %common.ret
 
-B36.if:
-  %.55.0203 = phi i64 [ 0, %B36.if.lr.ph ], [ %.127, %B34.loopexit ]
-  %.127 = add nuw nsw i64 %.55.0203, 1
-  %.156 = shl nuw nsw i64 %.55.0203, 1
-  %.158 = mul nsw i64 %.156, %arg.steps
-  %.164 = add nsw i64 %.158, %arg.steps
-  br i1 %.249191.not, label %B1036, label %B98.if.lr.ph
+B60.if:
+  %.69.0251 = phi i64 [ 0, %B60.if.lr.ph ], [ %.141, %B58.loopexit ]
+  %.141 = add nuw nsw i64 %.69.0251, 1
+  br i1 %.250238.not, label %B1116, label %B96.if.lr.ph
 
-B98.if.lr.ph:
-  %.297 = getelementptr double, ptr %arg.rate, i64 %.156
-  %.298 = load double, ptr %.297, align 8
-  %.308 = getelementptr i8, ptr %.297, i64 8
-  %.309 = load double, ptr %.308, align 8
-  %8 = getelementptr double, ptr %arg.growth, i64 %.158
-  %9 = getelementptr double, ptr %arg.growth, i64 %.164
-  br label %B98.if
+B96.if.lr.ph:
+  %.298.idx = shl i64 %.69.0251, 4
+  %.298 = getelementptr i8, ptr %arg.rate, i64 %.298.idx
+  %.299 = load double, ptr %.298, align 8
+  %.309 = getelementptr i8, ptr %.298, i64 8
+  %.310 = load double, ptr %.309, align 8
+  br label %B96.if
+
+B96.if:
+  %.193.0239 = phi i64 [ 0, %B96.if.lr.ph ], [ %.263, %B98.endif.endif ]
+  %.263 = add nuw nsw i64 %.193.0239, 1
+  %.293 = getelementptr double, ptr %arg.step, i64 %.193.0239
+  %.294 = load double, ptr %.293, align 8
+  %.300 = fmul contract double %.294, %.299
+  %.311 = fmul contract double %.294, %.310
+  store double 0.000000e+00, ptr %.320, align 8
+  %.324 = call i32 @exponential.116(ptr nonnull %.320, ptr nonnull %excinfo.1, double %.300)
+  %.334 = load double, ptr %.320, align 8
+  switch i32 %.324, label %B98.if [
+    i32 -2, label %B98.endif
+    i32 0, label %B98.endif
+  ]
 
 B98.if:
-  %.192.0192 = phi i64 [ 0, %B98.if.lr.ph ], [ %.262, %B98.if ]
-  %.262 = add nuw nsw i64 %.192.0192, 1
-  %.292 = getelementptr double, ptr %arg.step, i64 %.192.0192
-  %.293 = load double, ptr %.292, align 8
-  %.299 = fmul contract double %.293, %.298
-  %.310 = fmul contract double %.293, %.309
-  %.319 = fmul contract double %.299, %.299
-  %.322 = fmul contract double %.310, %.310
-  %.323 = fadd contract double %.319, %.322
-  %.325 = fmul contract double %.299, 0x3FC2492492492492
-  %.327 = fadd contract double %.325, 1.000000e+00
-  %.329 = fmul contract double %.310, 0x3FC2492492492492
-  %.331 = fmul contract double %.299, %.327
-  %.333 = fmul contract double %.310, %.329
-  %.334 = fsub contract double %.331, %.333
-  %.335 = fmul contract double %.334, 0x3FC5555555555555
-  %.337 = fadd contract double %.335, 1.000000e+00
-  %.339 = fmul contract double %.299, %.329
-  %.341 = fmul contract double %.310, %.327
-  %.342 = fadd contract double %.339, %.341
-  %.343 = fmul contract double %.342, 0x3FC5555555555555
-  %.345 = fmul contract double %.299, %.337
-  %.347 = fmul contract double %.310, %.343
-  %.348 = fsub contract double %.345, %.347
-  %.349 = fmul contract double %.348, 2.000000e-01
-  %.351 = fadd contract double %.349, 1.000000e+00
-  %.353 = fmul contract double %.299, %.343
-  %.355 = fmul contract double %.310, %.337
-  %.356 = fadd contract double %.353, %.355
-  %.357 = fmul contract double %.356, 2.000000e-01
-  %.359 = fmul contract double %.299, %.351
-  %.361 = fmul contract double %.310, %.357
-  %.362 = fsub contract double %.359, %.361
-  %.367 = fmul contract double %.362, 2.500000e-01
-  %.369 = fadd contract double %.367, 1.000000e+00
-  %.371 = fmul contract double %.299, %.357
-  %.373 = fmul contract double %.310, %.351
-  %.374 = fadd contract double %.371, %.373
-  %.379 = fmul contract double %.374, 2.500000e-01
-  %.381 = fmul contract double %.299, %.369
-  %.383 = fmul contract double %.310, %.379
-  %.384 = fsub contract double %.381, %.383
-  %.385 = fmul contract double %.384, 0x3FD5555555555555
-  %.387 = fadd contract double %.385, 1.000000e+00
-  %.392 = fmul contract double %.387, 5.000000e-01
-  %.394 = fmul contract double %.299, %.379
-  %.396 = fmul contract double %.310, %.369
-  %.397 = fadd contract double %.394, %.396
-  %.398 = fmul contract double %.397, 0x3FD5555555555555
-  %.403 = fmul contract double %.398, 5.000000e-01
-  %.414 = fdiv contract double 1.000000e+00, %.323
-  %.416 = fmul contract double %.299, %.414
-  %.418 = fneg contract double %.310
-  %.419 = fmul contract double %.414, %.418
-  %.424 = getelementptr double, ptr %8, i64 %.192.0192
-  %.425 = load double, ptr %.424, align 8
-  %.427 = fadd contract double %.425, -1.000000e+00
-  %.432 = getelementptr double, ptr %9, i64 %.192.0192
-  %.433 = load double, ptr %.432, align 8
-  %.434 = fmul contract double %.427, %.416
-  %.435 = fmul contract double %.433, %.419
-  %.436 = fsub contract double %.434, %.435
-  %.437 = fmul contract double %.427, %.419
-  %.438 = fmul contract double %.433, %.416
-  %.439 = fadd contract double %.437, %.438
-  %.448 = fadd contract double %.436, -1.000000e+00
-  %.449 = fmul contract double %.416, %.448
-  %.451 = fmul contract double %.419, %.439
-  %.452 = fsub contract double %.449, %.451
-  %.456 = fmul contract double %.419, %.448
-  %.458 = fmul contract double %.416, %.439
-  %.459 = fadd contract double %.458, %.456
-  %.467 = fcmp contract olt double %.323, 1.000000e-04
-  %.477 = fmul contract double %.299, %.392
-  %.479 = fadd contract double %.477, 1.000000e+00
-  %.482 = fmul contract double %.310, %.403
-  %.483 = fsub contract double %.479, %.482
-  %"$phi830.2.2.2" = select i1 %.467, double %.483, double %.436
-  %.506 = fmul contract double %.299, %.403
-  %.511 = fmul contract double %.310, %.392
-  %.514 = fadd contract double %.506, %.511
-  %"$phi860.2.2.2" = select i1 %.467, double %.514, double %.439
-  %"$phi872.2.2.2" = select i1 %.467, double %.392, double %.452
-  %"$phi884.2.2.2" = select i1 %.467, double %.403, double %.459
-  %.589 = fmul contract double %.293, %"$phi830.2.2.2"
-  %.597 = fmul contract double %.293, %"$phi860.2.2.2"
-  %.602 = getelementptr double, ptr %arg.added, i64 %.192.0192
-  store double %.589, ptr %.602, align 8
-  %.608 = getelementptr double, ptr %0, i64 %.192.0192
-  store double %.597, ptr %.608, align 8
-  %.615 = fmul contract double %.293, %"$phi872.2.2.2"
-  %.622 = fmul contract double %.293, %"$phi884.2.2.2"
-  %.628 = getelementptr double, ptr %1, i64 %.192.0192
-  store double %.615, ptr %.628, align 8
-  %.637 = getelementptr double, ptr %2, i64 %.192.0192
-  store double %.622, ptr %.637, align 8
-  %exitcond.not = icmp eq i64 %arg.steps, %.262
-  br i1 %exitcond.not, label %B1036, label %B98.if
+  %.332 = icmp sgt i32 %.324, 0
+  %.325 = load ptr, ptr %excinfo.1, align 8
+  %.333 = select i1 %.332, ptr %.325, ptr undef
+  store ptr %.333, ptr %excinfo, align 8
+  br label %common.ret
 
-B1086.if:
-  %.679.0201 = phi i64 [ %storemerge186, %B1086.if.lr.ph ], [ %.741, %B1086.loopexit ]
-  %.676.0200 = phi i64 [ %.646, %B1086.if.lr.ph ], [ %.745, %B1086.loopexit ]
-  %.741 = add nsw i64 %.679.0201, -1
-  %.745 = add i64 %.676.0200, 1
-  %.772 = mul nsw i64 %.676.0200, %.771
-  %.775.idx = shl i64 %.676.0200, 4
-  %.775 = getelementptr i8, ptr %arg.state, i64 %.775.idx
-  %.776 = load double, ptr %.775, align 8
-  %.780 = getelementptr i8, ptr %.775, i64 8
-  %.781 = load double, ptr %.780, align 8
-  %.794.idx = shl i64 %.772, 4
-  %.794 = getelementptr i8, ptr %arg.found, i64 %.794.idx
-  store double %.776, ptr %.794, align 8
-  %.800 = getelementptr i8, ptr %.794, i64 8
-  store double %.781, ptr %.800, align 8
-  br i1 %.882194.not, label %B1086.loopexit, label %B1226.if
+B98.endif:
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.346, i8 0, i64 16, i1 false)
+  %.350 = call i32 @sine_and_cosine.114(ptr nonnull %.346, ptr nonnull %excinfo.2, double %.311)
+  switch i32 %.350, label %B98.endif.if [
+    i32 -2, label %B98.endif.endif
+    i32 0, label %B98.endif.endif
+  ]
 
-B1226.if:
-  %yr.2.2198 = phi double [ %.973, %B1226.if ], [ %.776, %B1086.if ]
-  %yi.2.2197 = phi double [ %.979, %B1226.if ], [ %.781, %B1086.if ]
-  %.826.0195 = phi i64 [ %.895, %B1226.if ], [ 0, %B1086.if ]
-  %.895 = add nuw nsw i64 %.826.0195, 1
-  %.921 = add nsw i64 %.826.0195, %.772
-  %.923 = getelementptr double, ptr %arg.drive, i64 %.921
-  %.924 = load double, ptr %.923, align 8
-  %.927 = add nsw i64 %.921, 1
-  %.929 = getelementptr double, ptr %arg.drive, i64 %.927
-  %.930 = load double, ptr %.929, align 8
-  %.931 = fsub contract double %.930, %.924
-  %.935 = getelementptr double, ptr %6, i64 %.826.0195
-  %.936 = load double, ptr %.935, align 8
-  %.940 = getelementptr double, ptr %7, i64 %.826.0195
-  %.941 = load double, ptr %.940, align 8
-  %.943 = getelementptr double, ptr %arg.added, i64 %.826.0195
-  %.944 = load double, ptr %.943, align 8
-  %.945 = fmul contract double %.924, %.944
-  %.950 = getelementptr double, ptr %3, i64 %.826.0195
-  %.951 = load double, ptr %.950, align 8
-  %.952 = fmul contract double %.931, %.951
-  %.953 = fadd contract double %.945, %.952
-  %.957 = getelementptr double, ptr %4, i64 %.826.0195
-  %.958 = load double, ptr %.957, align 8
-  %.959 = fmul contract double %.924, %.958
-  %.964 = getelementptr double, ptr %5, i64 %.826.0195
-  %.965 = load double, ptr %.964, align 8
-  %.966 = fmul contract double %.931, %.965
-  %.967 = fadd contract double %.959, %.966
-  %.969 = fmul contract double %yr.2.2198, %.936
-  %.970 = fadd contract double %.969, %.953
-  %.972 = fmul contract double %yi.2.2197, %.941
-  %.973 = fsub contract double %.970, %.972
-  %.975 = fmul contract double %yi.2.2197, %.936
-  %.976 = fadd contract double %.975, %.967
-  %.978 = fmul contract double %yr.2.2198, %.941
-  %.979 = fadd contract double %.978, %.976
-  %.989.idx = shl i64 %.927, 4
-  %.989 = getelementptr i8, ptr %arg.found, i64 %.989.idx
-  store double %.973, ptr %.989, align 8
-  %.997 = getelementptr i8, ptr %.989, i64 8
-  store double %.979, ptr %.997, align 8
-  %exitcond205.not = icmp eq i64 %arg.steps, %.895
-  br i1 %exitcond205.not, label %B1086.loopexit, label %B1226.if
+B98.endif.if:
+  %.358 = icmp sgt i32 %.350, 0
+  %.351 = load ptr, ptr %excinfo.2, align 8
+  %.359 = select i1 %.358, ptr %.351, ptr undef
+  store ptr %.359, ptr %excinfo, align 8
+  br label %common.ret
+
+B98.endif.endif:
+  %.360.fca.1.load = load double, ptr %.fca.1.gep, align 8
+  %.360.fca.0.load = load double, ptr %.346, align 8
+  %.372 = fmul contract double %.334, %.360.fca.1.load
+  %.373 = fmul contract double %.334, %.360.fca.0.load
+  %.382 = fmul contract double %.300, %.300
+  %.385 = fmul contract double %.311, %.311
+  %.386 = fadd contract double %.382, %.385
+  %.388 = fmul contract double %.300, 0x3FC2492492492492
+  %.390 = fadd contract double %.388, 1.000000e+00
+  %.392 = fmul contract double %.311, 0x3FC2492492492492
+  %.394 = fmul contract double %.300, %.390
+  %.396 = fmul contract double %.311, %.392
+  %.397 = fsub contract double %.394, %.396
+  %.398 = fmul contract double %.397, 0x3FC5555555555555
+  %.400 = fadd contract double %.398, 1.000000e+00
+  %.402 = fmul contract double %.300, %.392
+  %.404 = fmul contract double %.311, %.390
+  %.405 = fadd contract double %.402, %.404
+  %.406 = fmul contract double %.405, 0x3FC5555555555555
+  %.408 = fmul contract double %.300, %.400
+  %.410 = fmul contract double %.311, %.406
+  %.411 = fsub contract double %.408, %.410
+  %.412 = fmul contract double %.411, 2.000000e-01
+  %.414 = fadd contract double %.412, 1.000000e+00
+  %.416 = fmul contract double %.300, %.406
+  %.418 = fmul contract double %.311, %.400
+  %.419 = fadd contract double %.416, %.418
+  %.420 = fmul contract double %.419, 2.000000e-01
+  %.422 = fmul contract double %.300, %.414
+  %.424 = fmul contract double %.311, %.420
+  %.425 = fsub contract double %.422, %.424
+  %.430 = fmul contract double %.425, 2.500000e-01
+  %.432 = fadd contract double %.430, 1.000000e+00
+  %.434 = fmul contract double %.300, %.420
+  %.436 = fmul contract double %.311, %.414
+  %.437 = fadd contract double %.434, %.436
+  %.442 = fmul contract double %.437, 2.500000e-01
+  %.444 = fmul contract double %.300, %.432
+  %.446 = fmul contract double %.311, %.442
+  %.447 = fsub contract double %.444, %.446
+  %.448 = fmul contract double %.447, 0x3FD5555555555555
+  %.450 = fadd contract double %.448, 1.000000e+00
+  %.455 = fmul contract double %.450, 5.000000e-01
+  %.457 = fmul contract double %.300, %.442
+  %.459 = fmul contract double %.311, %.432
+  %.460 = fadd contract double %.457, %.459
+  %.461 = fmul contract double %.460, 0x3FD5555555555555
+  %.466 = fmul contract double %.461, 5.000000e-01
+  %.477 = fdiv contract double 1.000000e+00, %.386
+  %.479 = fmul contract double %.300, %.477
+  %.481 = fneg contract double %.311
+  %.482 = fmul contract double %.477, %.481
+  %.485 = fadd contract double %.372, -1.000000e+00
+  %.486 = fmul contract double %.479, %.485
+  %.488 = fmul contract double %.482, %.373
+  %.489 = fsub contract double %.486, %.488
+  %.496 = fmul contract double %.482, %.485
+  %.498 = fmul contract double %.479, %.373
+  %.499 = fadd contract double %.496, %.498
+  %.505 = fadd contract double %.489, -1.000000e+00
+  %.506 = fmul contract double %.479, %.505
+  %.508 = fmul contract double %.482, %.499
+  %.509 = fsub contract double %.506, %.508
+  %.513 = fmul contract double %.482, %.505
+  %.515 = fmul contract double %.479, %.499
+  %.516 = fadd contract double %.515, %.513
+  %.524 = fcmp contract olt double %.386, 1.000000e-04
+  %.534 = fmul contract double %.300, %.455
+  %.536 = fadd contract double %.534, 1.000000e+00
+  %.539 = fmul contract double %.311, %.466
+  %.540 = fsub contract double %.536, %.539
+  %"$phi876.2.2.2" = select i1 %.524, double %.540, double %.489
+  %.563 = fmul contract double %.300, %.466
+  %.568 = fmul contract double %.311, %.455
+  %.571 = fadd contract double %.563, %.568
+  %"$phi906.2.2.2" = select i1 %.524, double %.571, double %.499
+  %"$phi918.2.2.2" = select i1 %.524, double %.455, double %.509
+  %"$phi930.2.2.2" = select i1 %.524, double %.466, double %.516
+  %.644 = getelementptr double, ptr %arg.room, i64 %.193.0239
+  store double %.372, ptr %.644, align 8
+  %.653 = getelementptr double, ptr %0, i64 %.193.0239
+  store double %.373, ptr %.653, align 8
+  %.662 = fmul contract double %.294, %"$phi876.2.2.2"
+  %.670 = fmul contract double %.294, %"$phi906.2.2.2"
+  %.677 = getelementptr double, ptr %1, i64 %.193.0239
+  store double %.662, ptr %.677, align 8
+  %.685 = getelementptr double, ptr %2, i64 %.193.0239
+  store double %.670, ptr %.685, align 8
+  %.692 = fmul contract double %.294, %"$phi918.2.2.2"
+  %.699 = fmul contract double %.294, %"$phi930.2.2.2"
+  %.704 = getelementptr double, ptr %3, i64 %.193.0239
+  store double %.692, ptr %.704, align 8
+  %.714 = getelementptr double, ptr %4, i64 %.193.0239
+  store double %.699, ptr %.714, align 8
+  %exitcond.not = icmp eq i64 %arg.steps, %.263
+  br i1 %exitcond.not, label %B1116, label %B96.if
+
+B1166.if:
+  %.754.0249 = phi i64 [ %storemerge232, %B1166.if.lr.ph ], [ %.816, %B1618 ]
+  %.751.0248 = phi i64 [ %.723, %B1166.if.lr.ph ], [ %.820, %B1618 ]
+  %.816 = add nsw i64 %.754.0249, -1
+  %.820 = add i64 %.751.0248, 1
+  %.851 = mul nsw i64 %.751.0248, %.849
+  %.855.idx = shl i64 %.751.0248, 4
+  %.855 = getelementptr i8, ptr %arg.state, i64 %.855.idx
+  %.856 = load double, ptr %.855, align 8
+  %.861 = getelementptr i8, ptr %.855, i64 8
+  %.862 = load double, ptr %.861, align 8
+  %.876 = fmul contract double %.862, %.875
+  %.879 = getelementptr double, ptr %arg.found, i64 %.851
+  store double %.876, ptr %.879, align 8
+  br i1 %.961241.not, label %B1618, label %B1294.if
+
+B1294.if:
+  %yr.2.2245 = phi double [ %.1054, %B1294.if ], [ %.856, %B1166.if ]
+  %yi.2.2244 = phi double [ %.1060, %B1294.if ], [ %.862, %B1166.if ]
+  %.905.0242 = phi i64 [ %.974, %B1294.if ], [ 0, %B1166.if ]
+  %.974 = add nuw nsw i64 %.905.0242, 1
+  %.1000 = add nsw i64 %.905.0242, %.851
+  %.1002 = getelementptr double, ptr %arg.drive, i64 %.1000
+  %.1003 = load double, ptr %.1002, align 8
+  %.1006 = add nsw i64 %.1000, 1
+  %.1008 = getelementptr double, ptr %arg.drive, i64 %.1006
+  %.1009 = load double, ptr %.1008, align 8
+  %.1010 = fsub contract double %.1009, %.1003
+  %.1012 = getelementptr double, ptr %arg.room, i64 %.905.0242
+  %.1013 = load double, ptr %.1012, align 8
+  %.1017 = getelementptr double, ptr %5, i64 %.905.0242
+  %.1018 = load double, ptr %.1017, align 8
+  %.1022 = getelementptr double, ptr %6, i64 %.905.0242
+  %.1023 = load double, ptr %.1022, align 8
+  %.1024 = fmul contract double %.1003, %.1023
+  %.1028 = getelementptr double, ptr %7, i64 %.905.0242
+  %.1029 = load double, ptr %.1028, align 8
+  %.1030 = fmul contract double %.1010, %.1029
+  %.1031 = fadd contract double %.1024, %.1030
+  %.1037 = getelementptr double, ptr %8, i64 %.905.0242
+  %.1038 = load double, ptr %.1037, align 8
+  %.1039 = fmul contract double %.1003, %.1038
+  %.1045 = getelementptr double, ptr %9, i64 %.905.0242
+  %.1046 = load double, ptr %.1045, align 8
+  %.1047 = fmul contract double %.1010, %.1046
+  %.1048 = fadd contract double %.1039, %.1047
+  %.1050 = fmul contract double %yr.2.2245, %.1013
+  %.1051 = fadd contract double %.1050, %.1031
+  %.1053 = fmul contract double %yi.2.2244, %.1018
+  %.1054 = fsub contract double %.1051, %.1053
+  %.1056 = fmul contract double %yi.2.2244, %.1013
+  %.1057 = fadd contract double %.1056, %.1048
+  %.1059 = fmul contract double %yr.2.2245, %.1018
+  %.1060 = fadd contract double %.1059, %.1057
+  %.1069 = fmul contract double %.875, %.1060
+  %.1074 = getelementptr double, ptr %arg.found, i64 %.1006
+  store double %.1069, ptr %.1074, align 8
+  %exitcond256.not = icmp eq i64 %arg.steps, %.974
+  br i1 %exitcond256.not, label %B1618, label %B1294.if
 }
 
 define i64 @have_signs(i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @have_signs.116(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @have_signs.118(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @have_signs.116(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
+define internal i32 @have_signs.118(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
 entry:
   %.32 = add i64 %arg.width, 1
   %.123287.not = icmp slt i64 %arg.matrices, 1
@@ -12369,12 +12539,12 @@ B630.if:
 define i64 @follow_equilibria(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_equilibria.117(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
+  %1 = call i32 @follow_equilibria.119(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @follow_equilibria.117(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @follow_equilibria.119(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
   %.291 = alloca ptr, align 8
   store ptr null, ptr %.291, align 8
@@ -12554,7 +12724,7 @@ B1384:
 B1482:
   %.1149 = load double, ptr %.1148, align 8
   store i64 0, ptr %.1155, align 8
-  %.1159 = call i32 @is_far.118(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
+  %.1159 = call i32 @is_far.120(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
   switch i32 %.1159, label %B1482.if [
     i32 -2, label %B1482.endif
     i32 0, label %B1482.endif
@@ -12638,7 +12808,7 @@ B712.endif.if:
 B712.endif.endif:
   %.552 = load double, ptr %.551, align 8
   store i64 0, ptr %.553, align 8
-  %.557 = call i32 @numba.119(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
+  %.557 = call i32 @numba.121(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
   switch i32 %.557, label %B712.endif.endif.if [
     i32 -2, label %B712.endif.endif.endif
     i32 0, label %B712.endif.endif.endif
@@ -12734,7 +12904,7 @@ B1220.if:
 
 B1220.endif:
   store double 0.000000e+00, ptr %.1025, align 8
-  %.1029 = call i32 @largest_of.120(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
+  %.1029 = call i32 @largest_of.122(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
   %.1039 = load double, ptr %.1025, align 8
   switch i32 %.1029, label %B1220.endif.if [
     i32 -2, label %B1220.endif.endif
@@ -12828,7 +12998,7 @@ B1560.endif.endif.endif:
   br i1 %.225, label %B458, label %B1744
 }
 
-define internal i32 @is_far.118(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
+define internal i32 @is_far.120(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
 entry:
   %.159 = alloca double, align 8
   store double 0.000000e+00, ptr %.159, align 8
@@ -12957,14 +13127,14 @@ B300.endif:
   br i1 %.317, label %B346, label %B350
 }
 
-define internal i32 @numba.119(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+define internal i32 @numba.121(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
 entry:
   %.5 = fptosi double %arg.x to i64
   store i64 %.5, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @largest_of.120(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
+define internal i32 @largest_of.122(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
 entry:
   %.160 = alloca double, align 8
   store double 0.000000e+00, ptr %.160, align 8

@@ -112,7 +112,7 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
         *("count", "reals", "reals"),
     ),
     "sines_and_cosines": ("count", *["reals"] * 3),
-    "follow": ("count", "count", "count", *["reals"] * 7),
+    "follow": ("count", "count", "count", *["reals"] * 6),
     "follow_turning": ("count", "count", "count", *["reals"] * 7),
     "have_signs": (*["count"] * 4, "places", "places", *["reals"] * 3, "counts"),
     "follow_equilibria": (

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import FrozenInstanceError, fields
 from functools import cache
 from itertools import pairwise
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ from viscodesign.effects.catalogue import catalogue, every_effect
 from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import NUMBERS, Selection, select_effects
 from viscodesign.effects.tip_displacements import TipDisplacements
-from viscodesign.estimate import linear_network, modal_response, swinging_rods
+from viscodesign.estimate import modal_response
 from viscodesign.estimate.linear_network import LinearNetworks
 from viscodesign.estimate.motion_estimate import MotionEstimate
 from viscodesign.estimate.scene_quantities import SceneQuantities
@@ -209,16 +209,15 @@ def test_filters_of_choosing(
     scene: tuple[str, ...], most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Networks that begin alike are filtered once, and only rods that swing are."""
-    filtered, plain = list[int](), modal_response.first_order
+    filtered, plain = list[int](), modal_response._by_loop
 
-    def counted(*given: np.ndarray) -> np.ndarray:
-        filtered.append(given[2].size)
-        return plain(*given)
+    def counted(loop: str, numbers: Any, time: Any, drive: np.ndarray, state: Any) -> np.ndarray:
+        filtered.append(drive.size)
+        return plain(loop, numbers, time, drive, state)
 
     monkeypatch.setattr(tip_displacements, "_distances", LruCache(1))
     monkeypatch.setattr(select, "_choices", LruCache(1))
-    for place in (modal_response, linear_network, swinging_rods):
-        monkeypatch.setattr(place, "first_order", counted)
+    monkeypatch.setattr(modal_response, "_by_loop", counted)
     selection(AUTO, *scene)
     assert 0.5 * most < sum(filtered) <= most
 

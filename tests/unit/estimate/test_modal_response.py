@@ -67,6 +67,18 @@ def test_slow_filters_keep_their_digits_on_both_sides_of_the_series(rate: float)
     assert found == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.parametrize("rate", [-1e9, 1e4, np.nan])
+def test_rates_beyond_all_numbers(rate: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What has decayed is nothing; what grows or is unknown is not told as a number."""
+    own = np.array([rate]), np.array([0.0, 1.0, 2.0]), np.ones((1, 3)), np.ones(1)
+    with np.errstate(all="ignore"):
+        found = first_order(*own)[0, -1]
+        monkeypatch.setattr(modal_response, "native_loops", PythonLoops)
+        again = first_order(*own)[0, -1]
+    for end in (found, again):
+        assert end == pytest.approx(1e-9, rel=1e-6) if rate < 0 else not np.isfinite(end)
+
+
 @pytest.mark.parametrize("copies", [1, 5])
 def test_a_jump_of_the_drive_is_felt_only_afterwards(copies: int) -> None:
     time = np.array([0.0, 1.0, 1.0, 2.0])

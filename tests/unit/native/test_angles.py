@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from viscodesign.native import angles
-from viscodesign.native.angles import LARGEST, sines_and_cosines
+from viscodesign.native.angles import MAX_ANGLE, sines_and_cosines
 from viscodesign.native.loops import Loops, PythonLoops, native_loops
 
 QUARTERS = np.arange(-9, 10) * (np.pi / 2)
@@ -35,7 +35,7 @@ def test_any_shape_and_layout() -> None:
 
 def test_what_the_loop_cannot_reduce_is_left_to_numpy() -> None:
     """Also beside small angles, and where there is no native code."""
-    given = np.array([1.0, 3 * LARGEST, 1e22])
+    given = np.array([1.0, 3 * MAX_ANGLE, 1e22])
     assert np.array_equal(sines_and_cosines(given), (np.sin(given), np.cos(given)))
     with np.errstate(invalid="ignore"):
         assert np.all(np.isnan(sines_and_cosines(np.array([np.nan, np.inf]))))

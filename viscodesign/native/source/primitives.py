@@ -1,4 +1,4 @@
-"""What the loops in Python use in place of two native instructions; see `docs/make_loops.py`."""
+"""What the loops in Python use in place of three native instructions; see `docs/make_loops.py`."""
 
 from __future__ import annotations
 
@@ -15,6 +15,11 @@ def call_kernel(
 ) -> None:
     """Call kernel k; natively, its address."""
     kernels[k](local, numbers, out)
+
+
+def power_of_two(whole: float) -> float:
+    """2 to the power of a whole number from -1022 to 1024, the last one infinite."""
+    return float(np.ldexp(1.0, int(whole)))
 
 
 def part(array: np.ndarray, start: int) -> np.ndarray:
