@@ -95,9 +95,11 @@ class Feedback(Effect):
         )
 
     def refusals(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Fault]:
-        """Negative compliance: with its strain held, a section must still resist filling."""
-        if self.name not in active:
-            return
+        if self.name in active:
+            yield from self._negative_compliances(quantities)
+
+    def _negative_compliances(self, quantities: SceneQuantities) -> Iterator[Fault]:
+        """With its strain held, a section must still resist filling."""
         law: Any = quantities.bellows
         own = quantities.scene.sections
         bending, extension = section_stiffnesses(quantities.body)
@@ -135,6 +137,10 @@ class Feedback(Effect):
         """Volume per resultant against strain per pressure: equal in a reciprocal coupling."""
         if quantities.scene.effects.mode(self.name) == "off":
             return
+        if self.name not in active:
+            for fault in self._negative_compliances(quantities):
+                message = f"no run with {self.name} can judge what it does: {fault.message}"
+                yield Notice("not_passive", message, fault.key)
         law = quantities.bellows
         section = quantities.scene.sections.of_bellows(quantities.body.section_lengths)
         for strain, resultant, found in (

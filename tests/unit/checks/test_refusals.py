@@ -130,3 +130,17 @@ def test_a_baseline_just_above_vacuum_is_weighed() -> None:
 )
 def test_what_may_be_zero_may_be_tiny(change: str) -> None:
     check(leg(change, SECOND, "effects=auto"))
+
+
+@pytest.mark.parametrize(("mode", "told"), [("auto", True), ("off", False), ("on", None)])
+def test_feedback_that_no_run_can_judge_is_told_where_it_is_left_out(
+    mode: str, told: bool | None
+) -> None:
+    """A section that fills by itself with its strain held: with the effect, pressures diverge."""
+    changes = ("bellows.area_per_moment=1e-3", f"effects={{feedback: {mode}, others: auto}}")
+    scene = leg("bellows.count=4", "loads.gravity=off", *changes, config="leg_4_air_auto")
+    if told is None:
+        with pytest.raises(SpecError, match="negative compliance in bending"):
+            check(scene)
+        return
+    assert ("not_passive" in {notice.code for notice in check(scene).warnings}) is told
