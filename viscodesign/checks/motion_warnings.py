@@ -12,13 +12,16 @@ from viscodesign.results.findings import Notice
 
 
 def motion_notices(
-    quantities: SceneQuantities, active: frozenset[str], blocks: Iterable[MotionBlock]
+    quantities: SceneQuantities,
+    active: frozenset[str],
+    outputs: Iterable[MotionBlock],
+    solved: Iterable[MotionBlock] = (),
 ) -> Iterator[Notice]:
     """Every limit that a run with these effects exceeds, once, at its worst place and time.
 
-    ``blocks``: the run, in order.
+    ``outputs``: the run at its outputs, in order; ``solved``: at all times that were solved for.
     """
     limits = [*model_limits(quantities)]
     for effect in every_effect(quantities).values():
         limits += effect.limits(quantities, active)
-    yield from limit_notices(limits, blocks)
+    yield from limit_notices(limits, outputs, solved)

@@ -152,7 +152,8 @@ class ChokedFlow(Effect):
     def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
         _, compressible = self.needs
         if self.is_gas and self.name not in active and compressible in active:
-            yield Limit(self._block_mach, choking.CHOKING_MACH, self._too_fast)
+            lag_s = quantities.filling_time
+            yield Limit(self._block_mach, choking.CHOKING_MACH, self._too_fast, lag_s=lag_s)
 
     def _block_mach(self, block: MotionBlock) -> np.ndarray:
         return self._mach(block.flow, block.tube_pressure)

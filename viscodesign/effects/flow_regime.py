@@ -120,7 +120,8 @@ class FlowRegime(Effect):
 
     def limits(self, quantities: SceneQuantities, active: frozenset[str]) -> Iterator[Limit]:
         if self.name not in active:
-            yield Limit(self._block_reynolds, LAMINAR_REYNOLDS, self._turbulent)
+            lag_s = quantities.filling_time
+            yield Limit(self._block_reynolds, LAMINAR_REYNOLDS, self._turbulent, lag_s=lag_s)
 
     def _block_reynolds(self, block: MotionBlock) -> np.ndarray:
         return self._reynolds(block.flow)

@@ -116,7 +116,12 @@ class GasCompressibility(Effect):
                 peak.time_s,
             )
 
-        yield Limit(lambda block: _mach(quantities, block.flow), INCOMPRESSIBLE_MACH, too_fast)
+        yield Limit(
+            lambda block: _mach(quantities, block.flow),
+            INCOMPRESSIBLE_MACH,
+            too_fast,
+            lag_s=quantities.filling_time,
+        )
 
     def missed_in(
         self, quantities: SceneQuantities, problem: Problem, motion: Motion

@@ -26,8 +26,6 @@ MAX_WAITING = 500_000
 """Numbers of outputs that wait in memory until shapes or balances are asked for."""
 KEPT_OUTPUTS = ("inlet_pressure", "pressure", "volume", "junction_pressure")
 """Outputs that become part of a motion unchanged."""
-KEPT_BETWEEN = ("time", "flow", "inlet_pressure", "pressure", "junction_pressure", "tip")
-"""What is kept between the outputs, too."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -38,7 +36,7 @@ class Motion(MotionArrays):
     """Sums them; of a coarser solution nobody asks for them."""
     failure: SolveError | None
     between: Mapping[str, np.ndarray]
-    """Some quantities at all times that were solved for: outputs, corners, samples between them.
+    """All but shapes at all times that were solved for: outputs, corners, samples between them.
     None where these are the outputs."""
 
     def at_solved_times(self) -> Motion:
@@ -126,19 +124,19 @@ class _MotionReader:
         schedule = self._problem.schedule
         stop = int(np.searchsorted(schedule.outputs, end))
         keep = schedule.outputs[self.count : stop] - outputs.first
-        rows = {
-            **_quantities(outputs, keep),
-            **_contacts(outputs, keep),
-            "tip": outputs.tips(keep),
-            "inflow": self._delivered.along(outputs, self._solution)[keep],
-            "section_stretch": stretch[keep],
-            "section_turn": turn[keep],
+        every = {
+            **_quantities(outputs),
+            **_contacts(outputs),
+            "inflow": self._delivered.along(outputs, self._solution),
+            "section_stretch": stretch,
+            "section_turn": turn,
         }
         if self._problem.body.members:
-            rows["content"] = contents(outputs)[keep]
-        for name, values in rows.items():
-            self._append(self._tables, name, values)
-        self._add_between(outputs, end)
+            every["content"] = contents(outputs)
+        self._append_rows(self._tables, outputs, every, keep)
+        if len(schedule.edges) > len(schedule.outputs):
+            solved = np.arange(*outputs.rows_to(end).indices(len(outputs.time)))
+            self._append_rows(self._between, outputs, every, solved)
         self._arc = outputs.arc()
         due = (np.arange(self.count, stop) % self._every) == 0
         self.count = stop
@@ -156,15 +154,17 @@ class _MotionReader:
         if len(keep):
             self._last_shape = None if due[-1] else shape[-1:]
 
-    def _add_between(self, outputs: Outputs, end: int) -> None:
-        """What effects look for between the outputs, if anything was solved for there."""
-        schedule = self._problem.schedule
-        if len(schedule.edges) == len(schedule.outputs):
-            return
-        rows = np.arange(*outputs.rows_to(end).indices(len(outputs.time)))
-        found = {**_quantities(outputs, rows), "tip": outputs.tips(rows)}
-        for name in KEPT_BETWEEN:
-            self._append(self._between, name, found[name])
+    def _append_rows(
+        self,
+        tables: dict[str, GrowingArray],
+        outputs: Outputs,
+        every: Mapping[str, np.ndarray],
+        rows: np.ndarray,
+    ) -> None:
+        """Add some rows (T,) of quantities at every edge of a block, and the tips there."""
+        for name, values in every.items():
+            self._append(tables, name, values[rows])
+        self._append(tables, "tip", outputs.tips(rows))
 
     def _append(self, tables: dict[str, GrowingArray], name: str, values: np.ndarray) -> None:
         if name not in tables:
@@ -235,17 +235,14 @@ class _MotionReader:
         return self._ledger.invariants(self._solution.work.steps)
 
 
-def _contacts(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
-    """Forces [N] and gaps [m] of the points that may touch something (T, c)."""
-    normal, tangential = np.split(outputs["contact_force"][rows], 2, axis=1)
-    gap, _ = np.split(outputs["contact_path"][rows], 2, axis=1)
+def _contacts(outputs: Outputs) -> dict[str, np.ndarray]:
+    """Forces [N] and gaps [m] of the points that may touch something (n, c)."""
+    normal, tangential = np.split(outputs["contact_force"], 2, axis=1)
+    gap, _ = np.split(outputs["contact_path"], 2, axis=1)
     return {"contact_normal": normal, "contact_tangential": tangential, "contact_gap": gap}
 
 
-def _quantities(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
-    """Quantities of the motion at some rows (T,) of the outputs."""
-    return {
-        "time": outputs.time[rows],
-        "flow": outputs.flows()[rows],
-        **{name: outputs[name][rows] for name in KEPT_OUTPUTS},
-    }
+def _quantities(outputs: Outputs) -> dict[str, np.ndarray]:
+    """Quantities of the motion at every edge (n,) of the outputs."""
+    kept = {name: outputs[name] for name in KEPT_OUTPUTS}
+    return {"time": outputs.time, "flow": outputs.flows(), **kept}

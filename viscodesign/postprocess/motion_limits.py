@@ -8,6 +8,7 @@ import numpy as np
 
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.graph import Graph
+from viscodesign.postprocess.sustained import Sustained
 from viscodesign.postprocess.tube_ends import end_pressures
 from viscodesign.results.findings import Notice
 from viscodesign.results.motion_arrays import MotionArrays, QuantityArrays
@@ -16,7 +17,7 @@ from viscodesign.storage.cached_property import cached_property
 
 @dataclass(frozen=True, eq=False)
 class MotionBlock(QuantityArrays):
-    """Consecutive outputs of a run, each quantity read or computed when it is first asked for.
+    """Consecutive times of a run, each quantity read or computed when it is first asked for.
 
     T times, B bellows, Q tubes, S sections. Any array of a motion is an item, such as
     ``block["contact_gap"]`` (T, c); those that limits ask for most are attributes.
@@ -25,7 +26,7 @@ class MotionBlock(QuantityArrays):
     motion: MotionArrays
     """The whole run, of one rod."""
     rows: slice
-    """Which of its outputs are those of the block."""
+    """Which of its times are those of the block."""
     graph: Graph
     inlets: tuple[str, ...]
     """Names of the inlets, in the order of their pressures."""
@@ -101,19 +102,39 @@ class Limit:
     """The warning, for the worst place and time of the run."""
     inclusive: bool = False
     """Whether the bound itself is too much."""
+    lag_s: float = 0.0
+    """Time that it takes to matter [s]: between outputs a burst counts by how long it lasts."""
 
     def is_exceeded(self, peak: Peak) -> bool:
         """Whether a run with this peak is beyond the bound."""
         return peak.value >= self.bound if self.inclusive else peak.value > self.bound
 
 
-def limit_notices(limits: Iterable[Limit], blocks: Iterable[MotionBlock]) -> Iterator[Notice]:
-    """A warning for every limit that a run exceeds, once, at its worst place and time."""
-    peaks = [(limit, Peak()) for limit in limits]
-    for block in blocks:
-        for limit, peak in peaks if block.time.size else ():
-            values = limit.values(block)
-            peak.update(block.time, values.reshape(len(values), -1))
-    for limit, peak in peaks:
+def limit_notices(
+    limits: Iterable[Limit],
+    outputs: Iterable[MotionBlock],
+    solved: Iterable[MotionBlock] = (),
+) -> Iterator[Notice]:
+    """A warning for every limit that a run exceeds, once, at its worst place and time.
+
+    ``outputs``: the run at its outputs, in order; ``solved``: at all times that were solved for,
+    so that what lasts is found wherever the outputs are.
+    """
+    peaks = [(limit, Peak(), Sustained(limit.lag_s)) for limit in limits]
+    for block in outputs:
+        for limit, peak, _ in peaks if block.time.size else ():
+            peak.update(block.time, _rows(limit, block))
+    for block in solved:
+        for limit, peak, sustained in peaks if block.time.size else ():
+            values = _rows(limit, block)
+            felt = sustained.update(block.time, values) if limit.lag_s else values
+            peak.update(block.time, felt)
+    for limit, peak, _ in peaks:
         if limit.is_exceeded(peak):
             yield limit.notice(peak)
+
+
+def _rows(limit: Limit, block: MotionBlock) -> np.ndarray:
+    """Values (T, n) of a limit's quantity."""
+    values = limit.values(block)
+    return values.reshape(len(values), -1)

@@ -29,9 +29,11 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
     """The motion with its warnings; how it ended and how accurate it is come later."""
     scene, motion, graph = quantities.scene, run.motion, quantities.graph
     found = classification(quantities, selection.active)
-    # Of several rods, each is judged by itself.
-    moved = () if scene.members else motion_blocks(quantities, motion)
-    exceeded = tuple(motion_notices(quantities, selection.active, moved))
+    # Of several rods, each is judged by itself. Not at outputs alone: where a run leaves its model
+    # must not hang on when it is looked at.
+    outputs = () if scene.members else motion_blocks(quantities, motion)
+    solved = () if scene.members else motion_blocks(quantities, motion.at_solved_times())
+    exceeded = tuple(motion_notices(quantities, selection.active, outputs, solved))
     return Trajectory(
         name=scene.name,
         status="complete",

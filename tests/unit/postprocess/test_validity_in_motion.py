@@ -133,6 +133,22 @@ def test_a_limit_may_be_one_of_the_tip() -> None:
     assert told(lambda block: np.abs(block.tip_velocity[:, 2:]), 0.3) == []
 
 
+@pytest.mark.parametrize(("lag_s", "felt"), [(0.0, 1.0), (0.5, 1 - math.exp(-1)), (50.0, None)])
+def test_a_burst_counts_by_how_long_it_lasts(lag_s: float, felt: float | None) -> None:
+    scene = quantities()
+    burst = at(scene, "flow", 1, 0, 1.0)
+    limit = Limit(
+        lambda block: block.flow,
+        0.1,
+        lambda peak: Notice("fast", f"{peak.value}", "", peak.time_s),
+        lag_s=lag_s,
+    )
+    told = [float(notice.message) for notice in limit_notices([limit], [], [burst])]
+    assert told == ([] if felt is None else [pytest.approx(felt)])
+    (at_an_output,) = limit_notices([limit], [burst])
+    assert float(at_an_output.message) == 1.0
+
+
 def test_a_bellow_far_beyond_its_rest_volume_is_reported_with_size_and_place() -> None:
     scene = quantities()
     rest = scene.bellow.rest_volume

@@ -130,8 +130,8 @@ def test_a_quantity_of_the_solution_is_a_row_and_where_it_is_computed(
     add(monkeypatch, row)
     quantities = motion._quantities
 
-    def more(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
-        return {**quantities(outputs, rows), "density": 1.2 + 1e-5 * outputs["pressure"][rows]}
+    def more(outputs: Outputs) -> dict[str, np.ndarray]:
+        return {**quantities(outputs), "density": 1.2 + 1e-5 * outputs["pressure"]}
 
     monkeypatch.setattr(motion, "_quantities", more)
     run = simulate(leg("run.duration=0.1 s", "bellows.count=4"), verify=False)
@@ -150,8 +150,8 @@ def test_each_of_actuators_that_share_fluid_has_its_part_of_a_new_quantity(
     add(monkeypatch, Channel("section_moment", "N*m", "moment", "moment", Per.SECTION))
     quantities = motion._quantities
 
-    def more(outputs: Outputs, rows: np.ndarray) -> dict[str, np.ndarray]:
-        return {**quantities(outputs, rows), "section_moment": outputs["moment"][rows]}
+    def more(outputs: Outputs) -> dict[str, np.ndarray]:
+        return {**quantities(outputs), "section_moment": outputs["moment"]}
 
     monkeypatch.setattr(motion, "_quantities", more)
     spec = load_several(CONFIGS / "two_legs.yaml", ["run.duration=0.1 s", "effects={others: off}"])

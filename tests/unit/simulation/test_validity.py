@@ -64,6 +64,20 @@ def test_below_the_vapour_pressure(effects: str, where: str) -> None:
     assert run.violations[0].where == where
 
 
+@pytest.mark.parametrize("interval", ["20 ms", "1 s"])
+def test_it_does_not_depend_on_the_outputs(interval: str) -> None:
+    """Where the motion leaves the model between two outputs, at which it is at rest."""
+    run = solved(
+        "input={kind: sine, amplitude: 60 kPa, frequency: 1 Hz}",
+        "effects={pressure_distribution: on, others: off}",
+        f"run.output_interval={interval}",
+    )
+    assert reasons(run) == ["negative_volume", "choking", "turbulent_flow"]
+    lowest, fastest, _ = run.violations
+    assert lowest.time_s == pytest.approx(0.782, abs=0.01)
+    assert fastest.message.startswith("the gas reaches Mach 0.87")
+
+
 def test_large_stretches_are_outside() -> None:
     run = solved(
         "input={kind: constant, value: 900 kPa}",
