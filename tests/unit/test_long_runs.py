@@ -34,7 +34,7 @@ def in_small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Everything on the disk, in blocks that are far smaller than a short run."""
     for place, value in (
         ("postprocess.outputs.BLOCK_NUMBERS", 0),
-        ("postprocess.outputs.BLOCK", 1200),
+        ("postprocess.outputs.DISK_ROWS", 1200),
         ("storage.disk_arrays.ArrayStore.__init__.__defaults__", (None, 0)),
     ):
         monkeypatch.setattr(f"viscodesign.{place}", value)
