@@ -16,9 +16,10 @@ from __future__ import annotations
 import contextlib
 from dataclasses import replace
 
+from viscodesign.checks.refusals import refuse_unsolvable
 from viscodesign.effects.allowed_sets import Names
 from viscodesign.effects.select import NUMBERS, Selection
-from viscodesign.errors import SolveError
+from viscodesign.errors import SolveError, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.model.rod_equations import RodForm
@@ -128,8 +129,8 @@ class EffectJudge:
         """The coarser solution with all effects: complete, or stopped by the user.
 
         None where nothing is left out, or next to nothing by estimates that no run has corrected,
-        of a rod that does not swing, or where no such solution reaches the end. Raises
-        `KeyboardInterrupt` before its first step.
+        of a rod that does not swing, where the scene is refused with all of them, or where no such
+        solution reaches the end. Raises `KeyboardInterrupt` before its first step.
         """
         if not selection.neglected or self._is_spared(selection, settings):
             return None
@@ -137,7 +138,8 @@ class EffectJudge:
             self._tried = True
             effects = selection.members(selection.everything)
             own = (self._quantities, effects, coarser(settings), self._progress, self._workspace)
-            with contextlib.suppress(SolveError):
+            with contextlib.suppress(SpecError, SolveError):
+                refuse_unsolvable(self._quantities, selection.everything)
                 self._found = solve(*own)
         found = self._found
         is_useful = found is not None and (found.is_complete or found.solution.asked_to_stop)

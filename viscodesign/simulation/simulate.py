@@ -8,7 +8,7 @@ from pathlib import Path
 
 from viscodesign.checks.refusals import refuse_beyond_numbers, refuse_unsolvable
 from viscodesign.effects.select import Selection, select_effects
-from viscodesign.errors import SolveError, UsageError
+from viscodesign.errors import SolveError, SpecError, UsageError
 from viscodesign.estimate.joined_quantities import quantities_of
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.interrupt import gentle_interrupt
@@ -155,12 +155,14 @@ def _solve_escalating(
     solved, attempts = _solve(quantities, selection, request), []
     while (more := solved.escalation) is not None:
         try:
+            refuse_unsolvable(quantities, more.selection.active)
             again = _solve(quantities, more.selection, request)
-        except SolveError as error:  # not even a start: keep the previous solution
+        except (SpecError, SolveError) as error:  # not even a start: keep the previous solution
             attempts.append(more.attempt(solved=False))
-            solved.verifier.stalled = (
-                f"more effects are needed ({more.added}), but no initial equilibrium exists "
-                f"with them: {error.short}"
+            solved.verifier.stalled = f"more effects are needed ({more.added}), but " + (
+                f"no initial equilibrium exists with them: {error.short}"
+                if isinstance(error, SolveError)
+                else f"the scene is refused with them: {error.faults[0]}"
             )
             break
         except KeyboardInterrupt:  # before its first step: keep the previous solution

@@ -12,10 +12,11 @@ import pytest
 from tests.scenes import leg
 from viscodesign import load, simulate
 from viscodesign.effects.select import NUMBERS, Selection, select_effects
-from viscodesign.errors import SolveError
+from viscodesign.errors import SolveError, SpecError
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.trajectory import RunInterruptedError
 from viscodesign.simulation import error_control, judged_effects
+from viscodesign.simulation import simulate as simulation_module
 from viscodesign.simulation.build_problem import Settings, suggest_settings
 from viscodesign.simulation.judged_effects import (
     JUDGING,
@@ -25,6 +26,7 @@ from viscodesign.simulation.judged_effects import (
     judgeable,
     mesh_share,
 )
+from viscodesign.simulation.missed_effects import EffectEscalation
 from viscodesign.simulation.solve_once import Run, Workspace, solve, tip_difference
 
 SHORT = ("run={duration: 2 s, output_interval: 0.1 s}", "effects=auto", "bellows.count=8")
@@ -398,3 +400,34 @@ def test_the_part_of_a_meshs_error_follows_from_both_numbers_of_edges() -> None:
     assert mesh_share(meshes[3], meshes[2]) == 2.0
     assert mesh_share(meshes[5], meshes[3]) == 1.5
     assert mesh_share(meshes[4], meshes[4]) == 0.0
+
+
+def refused_when_grown(quantities: SceneQuantities, active: frozenset[str]) -> None:
+    if "feedback" in active:
+        raise SpecError.plain("bellows.area_per_moment: negative compliance")
+
+
+def test_a_scene_that_is_refused_with_everything_is_not_solved_with_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    quantities, selection, run = judged()
+    assert "feedback" in selection.everything - selection.active
+    monkeypatch.setattr(judged_effects, "refuse_unsolvable", refused_when_grown)
+    monkeypatch.setattr(judged_effects, "solve", lambda *_: pytest.fail("was solved"))
+    assert judge_of(quantities, selection).everything(selection, run.settings) is None
+
+
+def test_a_run_that_calls_for_what_is_refused_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its error counts as too large: what it calls for cannot be computed."""
+
+    def calls_for_feedback(_: Any, selection: Selection, run: Run) -> EffectEscalation | None:
+        return EffectEscalation.of(selection, ["feedback"], "it matters", 0.5)
+
+    monkeypatch.setattr(simulation_module, "escalation", calls_for_feedback)
+    for module in (judged_effects, simulation_module):
+        monkeypatch.setattr(module, "refuse_unsolvable", refused_when_grown)
+    found = simulate(leg(*SHORT))
+    assert found.status == "failed"
+    assert "the scene is refused with them: bellows.area_per_moment" in str(found.failure)
+    assert not found.ladder[0].solved
+    assert found.time[-1] == 2.0
