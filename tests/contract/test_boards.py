@@ -108,7 +108,7 @@ def test_it_reads_and_writes_and_changes_nothing_else(name: str) -> None:
     assert value(board, 2, registers.LED) == 1
     wait(board, 0.1)
     after = bytes(pump.servos[0].memory)
-    assert {i for i in range(registers.END) if before[i] != after[i]} == {34, 35}
+    assert {i for i in range(registers.TABLE_END) if before[i] != after[i]} == {34, 35}
     assert [servo.position for servo in pump.servos] == [HOME, HOME]
 
 

@@ -120,7 +120,7 @@ def test_json_is_one_document(upload: Upload, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("--play", "--loop", "--dry-run"), "give one of them"),
+        (("--play", "--loop", "--dry-run"), "mutually exclusive"),
         (("--play",), "--port is missing"),
         (("--board", "dynamixel", "--dry-run"), "takes no poses; those go to --board arbotix"),
         (("--board", "arbotics", "--dry-run"), "did you mean 'arbotix'?"),

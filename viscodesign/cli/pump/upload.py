@@ -111,7 +111,7 @@ def command(
 
 def _refuse_options(play: bool, loop: bool, has_target: bool) -> None:
     if play and loop:
-        raise UsageError("--play and --loop exclude each other; give one of them")
+        raise UsageError("--play and --loop are mutually exclusive; remove one of them")
     if not has_target:
         raise UsageError(
             "--port is missing, such as /dev/ttyUSB0 (`viscodesign pump ports` lists them); or "

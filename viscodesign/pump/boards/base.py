@@ -35,11 +35,11 @@ class Goal:
 
     def __post_init__(self) -> None:
         if not 0 <= self.count <= FULL:
-            raise PumpError(f"a goal of {self.count} counts; a servo turns from 0 to {FULL}")
+            raise PumpError(f"goal position must be 0 to {FULL} counts; got {self.count}")
         if not 1 <= self.speed <= FULL:
-            raise PumpError(f"a speed of {self.speed}; the register takes 1 to {FULL}")
+            raise PumpError(f"speed register must be 1 to {FULL}; got {self.speed}")
         if self.torque is not None and not 1 <= self.torque <= FULL:
-            raise PumpError(f"a torque limit of {self.torque}; the register takes 1 to {FULL}")
+            raise PumpError(f"torque limit register must be 1 to {FULL}; got {self.torque}")
 
 
 class Board(Controller, Transactions):

@@ -14,7 +14,7 @@ from viscodesign.pump.boards.controller import Controller
 from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT
 
 PATIENCE = 0.05  # for a reply [s]: it takes up to 15 ms on the line, and an adapter's latency
-TRIES = 2  # together shorter than the silence that stops a pump
+READ_TRIES = 2  # together shorter than the silence that stops a pump
 
 
 class LineRegulator(Controller):
@@ -55,7 +55,7 @@ class LineRegulator(Controller):
     def _ask(self, command: str) -> int:
         """The number in its reply; what is absolute may be sent twice."""
         said = ""
-        for _ in range(TRIES):
+        for _ in range(READ_TRIES):
             self.line.drain()
             self.line.write(f"{command}\r\n".encode())
             if (said := self._reply()).isdecimal() and int(said) <= HIGHEST_SET_POINT:

@@ -19,7 +19,7 @@ try:
 except ImportError:  # Windows, where the driver keeps DTR
     termios = None  # type: ignore[assignment]
 
-SLICE = 0.005  # of waiting [s]: a deadline is passed by no more
+READ_SLICE = 0.005  # of waiting [s]: a deadline is passed by no more
 WRITE_TIMEOUT = 0.5  # [s]; 256 bytes take 0.27 s at 9600 baud.
 CFLAG = 2  # place of the control modes among the attributes of a terminal
 TERMINAL_ERRORS = () if termios is None else (termios.error,)
@@ -38,7 +38,9 @@ class SerialLine(Line):
     def __init__(self, port: str, baud: int, clock: Clock | None = None) -> None:
         self.clock = clock or WallClock()
         self.port = port
-        self._serial = serial.Serial(timeout=SLICE, write_timeout=WRITE_TIMEOUT, exclusive=True)
+        self._serial = serial.Serial(
+            timeout=READ_SLICE, write_timeout=WRITE_TIMEOUT, exclusive=True
+        )
         self._serial.port = port
         try:
             self._serial.baudrate = baud

@@ -31,11 +31,11 @@ EIGHTHS = 8
 """Parts of a count that the engine reckons in; a servo is sent whole counts, rounded down."""
 LONGEST_MS = 2**15 - 1
 """Longest time of a move [ms]; it is a signed number of 16 bits."""
-MOST_FRAMES = LONGEST_MS // FRAME_MS + 1
+MAX_FRAMES = LONGEST_MS // FRAME_MS + 1
 PHANTOM = 1000
 """Counts that the phantom goes to and from."""
-MOST_POSES = 30
-MOST_MOVES = 46
+MAX_POSES = 30
+MAX_MOVES = 46
 """LOAD_SEQ takes 143 bytes: 47 entries of three, the last of which marks the end."""
 
 
@@ -69,8 +69,8 @@ def frames_asked(ms: int) -> int:
 
 def time_asking(frames: int) -> int:
     """Time [ms] that asks for a number of frames."""
-    if not 1 <= frames <= MOST_FRAMES:
-        raise PumpError(f"a move of {frames} frames; the firmware takes 1 to {MOST_FRAMES}")
+    if not 1 <= frames <= MAX_FRAMES:
+        raise PumpError(f"a move of {frames} frames; the firmware takes 1 to {MAX_FRAMES}")
     return min(FRAME_MS * frames - 1, LONGEST_MS)
 
 
@@ -83,7 +83,7 @@ def frames_taken(distance: int, frames: int) -> int:
 
 EXACT_FRAMES = tuple(
     frames
-    for frames in range(1, MOST_FRAMES + 1)
+    for frames in range(1, MAX_FRAMES + 1)
     if frames_taken(EIGHTHS * PHANTOM, frames) == frames
 )
 """Durations that the phantom holds exactly: all up to 92 frames (3 s), then ever fewer."""
@@ -128,16 +128,16 @@ def size_pose(servos: int) -> Packet:
 
 def load_pose(index: int, counts: Sequence[int]) -> Packet:
     """Keep a pose; behind the last one lies other memory."""
-    if not 0 <= index < MOST_POSES:
-        raise PumpError(f"pose {index}; the board keeps poses 0 to {MOST_POSES - 1}")
+    if not 0 <= index < MAX_POSES:
+        raise PumpError(f"pose {index}; the board keeps poses 0 to {MAX_POSES - 1}")
     words = b"".join(count.to_bytes(2, "little") for count in counts)
     return Packet(ARBOTIX, PoseInstruction.LOAD_POSE, bytes([index]) + words)
 
 
 def load_sequence(moves: Sequence[Move]) -> Packet:
     """Keep the moves; more than its buffer takes would hang the board."""
-    if not 1 <= len(moves) <= MOST_MOVES:
-        raise PumpError(f"{len(moves)} moves; the board takes 1 to {MOST_MOVES}")
+    if not 1 <= len(moves) <= MAX_MOVES:
+        raise PumpError(f"{len(moves)} moves; the board takes 1 to {MAX_MOVES}")
     for move in moves:
         if not 0 <= move.ms <= LONGEST_MS:
             raise PumpError(f"a move of {move.ms} ms; the board takes 0 to {LONGEST_MS}")

@@ -17,8 +17,8 @@ from viscodesign.pump.ax.protocol.registers import FULL
 from viscodesign.pump.poses.engine import (
     EIGHTHS,
     FRAME,
-    MOST_MOVES,
-    MOST_POSES,
+    MAX_MOVES,
+    MAX_POSES,
     PHANTOM,
     Move,
     PoseSequence,
@@ -117,11 +117,11 @@ def fit_poses(
     def has_sequence(number: int) -> bool:
         margin = FIT.finest * FIT.ratio**number
         bands = [ToleranceBand.around(*b, margin, travel, closed=loop) for b in bounds]
-        if path := MoveSearch(bands, closed=loop).path(MOST_MOVES - 1):
+        if path := MoveSearch(bands, closed=loop).path(MAX_MOVES - 1):
             found[number] = _sequence(*path)
         tried.append(number)
         progress(min(len(tried) / FIT.margins.bit_length(), 1.0))
-        return path is not None and len(found[number].poses) <= MOST_POSES
+        return path is not None and len(found[number].poses) <= MAX_POSES
 
     tried: list[int] = []
     narrowest = bisect_left(range(FIT.margins), True, key=has_sequence)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from viscodesign.errors import PumpError, UsageError
-from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
+from viscodesign.pump.poses.engine import MAX_MOVES, MAX_POSES
 from viscodesign.pump.poses.fit import PoseFit
 from viscodesign.units import QuantityKind
 
@@ -68,7 +68,7 @@ class Tolerance(NamedTuple):
             return
         moves, poses = len(fit.sequence.moves), len(fit.sequence.poses)
         raise PumpError(
-            f"the best fit with {MOST_MOVES} moves and {MOST_POSES} poses is off by {error} (it "
+            f"the best fit with {MAX_MOVES} moves and {MAX_POSES} poses is off by {error} (it "
             f"uses {moves} and {poses}); --tolerance is {self.text}. {_remedy(fit)}"
         )
 

@@ -21,7 +21,7 @@ from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream_result import StreamResult
 from viscodesign.pump.plunger.plunger_numbers import range_rows
 from viscodesign.pump.poses.c_header import poses_h
-from viscodesign.pump.poses.engine import MOST_MOVES, MOST_POSES
+from viscodesign.pump.poses.engine import MAX_MOVES, MAX_POSES
 from viscodesign.pump.poses.fit import fit_poses
 from viscodesign.pump.poses.fit_error import FitError, Tolerance
 from viscodesign.pump.poses.player import PosePlayer, by_servo, playing_speed, split_at
@@ -87,8 +87,8 @@ class PoseUpload:
             ),
             (
                 "fit",
-                f"{len(fit.sequence.moves)} of {MOST_MOVES} moves, {len(fit.sequence.poses)} of "
-                f"{MOST_POSES} poses; off by at most {self.error} (allowed: {self.tolerance.text})",
+                f"{len(fit.sequence.moves)} of {MAX_MOVES} moves, {len(fit.sequence.poses)} of "
+                f"{MAX_POSES} poses; off by at most {self.error} (allowed: {self.tolerance.text})",
             ),
             (
                 "monitored",

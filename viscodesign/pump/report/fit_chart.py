@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.poses.engine import FRAME
 from viscodesign.pump.poses.fit import PoseFit
 from viscodesign.pump.report.plan_chart import pump_colours
@@ -17,21 +18,37 @@ from viscodesign.results.trajectory import Trajectory
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEFT, BOTTOM, WIDE, TALL, SHORT, GAP, RIGHT = 0.8, 0.5, 6.0, 2.4, 1.2, 0.16, 0.2
-"""All in inches."""
+
+@dataclass(frozen=True)
+class PoseFitLayout:
+    """Lengths of the picture [inch]."""
+
+    left: float = 0.8
+    bottom: float = 0.5
+    wide: float = 6.0
+    tall: float = 2.4
+    short: float = 1.2
+    gap: float = 0.16
+    right: float = 0.2
+
+
+IN = PoseFitLayout()
 
 
 def draw_fit(fit: PoseFit, run: Trajectory, path: Path) -> None:
     """Counts against time, and below them the error; ``run`` is what the fit is for."""
-    width, top = look().across(LEFT + WIDE + RIGHT), BOTTOM + SHORT + GAP + TALL
-    wide = width - LEFT - RIGHT
+    width, top = (
+        look().across(IN.left + IN.wide + IN.right),
+        IN.bottom + IN.short + IN.gap + IN.tall,
+    )
+    wide = width - IN.left - IN.right
     with picture(path, width, top + head_room(run, width)) as made:
-        counts = axes_at(made, LEFT, top - TALL, wide, TALL)
+        counts = axes_at(made, IN.left, top - IN.tall, wide, IN.tall)
         _draw_counts(counts, fit)
         counts.tick_params(labelbottom=False)
-        _draw_error(axes_at(made, LEFT, BOTTOM, wide, SHORT), fit)
+        _draw_error(axes_at(made, IN.left, IN.bottom, wide, IN.short), fit)
         how = "poses of a loop" if fit.looped else "poses"
-        head(made, run, f"{how}, off by at most {fit.largest_error:.2f} counts", LEFT)
+        head(made, run, f"{how}, off by at most {fit.largest_error:.2f} counts", IN.left)
 
 
 def _draw_counts(axes: Axes, fit: PoseFit) -> None:

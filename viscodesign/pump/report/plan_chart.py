@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 LEFT, BOTTOM, WIDE, GAP, SQUARE = 0.78, 0.5, 4.0, 0.16, 2.9
 BETWEEN, RIGHT, WORDS, LEGEND = 0.95, 0.2, 1.2, 0.28
 PANELS = 5.48
-LEAST_WIDTH = 6.4
+MIN_WIDTH = 6.4
 """All in inches: the least width with the tip's paths on the right; else they are below."""
-MOST_ENTRIES = 8
+MAX_ENTRIES = 8
 """Largest number of entries of the key."""
 SAME_PATH_MM = 1e-3
 """Distance of tips up to which two actuators move alike."""
@@ -41,7 +41,7 @@ def draw_plan(plan: PumpPlan, path: Path) -> None:
     """Panels against time; beside them the tip's paths."""
     width = look().across(LEFT + WIDE + BETWEEN + SQUARE + RIGHT)
     free = width - LEFT - RIGHT
-    if width >= LEAST_WIDTH:
+    if width >= MIN_WIDTH:
         wide, base = (free - BETWEEN) * WIDE / (WIDE + SQUARE), BOTTOM
         side = min(free - BETWEEN - wide, PANELS - WORDS)
         wide = free - BETWEEN - side
@@ -169,7 +169,7 @@ def _draw_words(made: Figure, plan: PumpPlan, left: float, top: float) -> None:
 
 def _named_inlets(plan: PumpPlan) -> tuple[str, ...]:
     """The inlets that the key names: as many as it holds, where there are several."""
-    return plan.inlets[: MOST_ENTRIES - 2] if len(plan.inlets) > 1 else ()
+    return plan.inlets[: MAX_ENTRIES - 2] if len(plan.inlets) > 1 else ()
 
 
 def _draw_legend(made: Figure, plan: PumpPlan, bottom: float, columns: int) -> None:

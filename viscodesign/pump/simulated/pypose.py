@@ -15,13 +15,13 @@ from viscodesign.pump.ax.protocol.transactions import ARBOTIX
 from viscodesign.pump.simulated.firmware import Firmware, Work, hang
 
 SIZE_POSE, LOAD_POSE, LOAD_SEQ, PLAY, LOOP = 7, 8, 9, 10, 11
-FRAME = 0.033
-FRAME_MS = 33
+FIRMWARE_FRAME = 0.033
+FIRMWARE_FRAME_MS = 33
 SHIFT = 3
-SERVOS = 30
+MAX_SERVOS = 30
 POSES = 30
 ENTRIES = 50
-END = 255
+END_OF_SEQUENCE = 255
 READ_PAUSE = 0.025
 HALT = ord("H")
 
@@ -32,9 +32,9 @@ class PoseEngine:
     def __init__(self, board: Firmware) -> None:
         self.board = board
         self.size = 0
-        self.pose = [512] * SERVOS
+        self.pose = [512] * MAX_SERVOS
         """Where each servo was sent last, in eighths; before a reading 512, which is count 64."""
-        self.poses = [[0] * SERVOS for _ in range(POSES)]
+        self.poses = [[0] * MAX_SERVOS for _ in range(POSES)]
         self.sequence: list[tuple[int, int]] = [(0, 0)] * ENTRIES
         self.frames = 0  # since power came: how often all servos were sent somewhere
 
@@ -54,7 +54,7 @@ class PoseEngine:
 
     def _set_size(self, size: int) -> Work:
         """Also reads where the servos are; an unreadable one is taken to be at -1."""
-        self.size = min(size, SERVOS)
+        self.size = min(size, MAX_SERVOS)
         for servo in range(self.size):
             position = registers.PRESENT_POSITION.address
             count = yield from self.board.ask_servo(servo + 1, position, 2)
@@ -65,21 +65,21 @@ class PoseEngine:
         """Each entry once; `halted` says whether an H ended it. Looks for one between moves."""
         self.halted = False
         for pose, time in self.sequence:
-            if pose == END:
+            if pose == END_OF_SEQUENCE:
                 return
             if self.board.read() == HALT:
                 self.halted = True
                 return
-            yield from self._move(self.poses[pose] if pose < POSES else [0] * SERVOS, time)
+            yield from self._move(self.poses[pose] if pose < POSES else [0] * MAX_SERVOS, time)
         yield from hang()  # it runs off the end of the array
 
     def _move(self, target: list[int], time: int) -> Work:
         goals = [position << SHIFT for position in target]
-        frames = _divided(time, FRAME_MS) + 1
+        frames = _divided(time, FIRMWARE_FRAME_MS) + 1
         steps = [_divided(abs(goals[i] - self.pose[i]), frames) + 1 for i in range(self.size)]
         moving = True
         while moving:
-            yield self.board.now + FRAME
+            yield self.board.now + FIRMWARE_FRAME
             moving = not all([self._step(i, goals[i], steps[i]) for i in range(self.size)])
             self._send()
 
@@ -126,7 +126,7 @@ class PyPose(Firmware):
 
     def _loop_sequence(self) -> Work:
         """Play the sequence until an H arrives; an empty one hangs, since no byte is read."""
-        if self.engine.sequence[0][0] == END:
+        if self.engine.sequence[0][0] == END_OF_SEQUENCE:
             yield from hang()
         yield from self.engine.play()
         while not self.engine.halted:

@@ -10,7 +10,7 @@ from viscodesign.pump.simulated.device import BITS_PER_BYTE, Device
 from viscodesign.pump.simulated.plant import Plant
 from viscodesign.scene.pumps.regulator import HIGHEST_SET_POINT, RegulatorSpec
 
-BAUD = 9_600
+REGULATOR_BAUD = 9_600
 THINKING_S = 2e-3  # between a command and its reply (assumed) [s]
 LONGEST_STEP_S = 0.01  # of the outlet and what is behind it [s]
 
@@ -31,12 +31,14 @@ class SimulatedRegulator(Device):
         self.moment: float | None = None  # up to which it was computed [s]
 
     def feed(self, data: bytes, now: float) -> None:
-        arrived = now + len(data) * BITS_PER_BYTE / BAUD
+        arrived = now + len(data) * BITS_PER_BYTE / REGULATOR_BAUD
         *lines, self.pending = (self.pending + data).split(b"\n")
         for line in lines:
             self.advance(arrived)
             reply = self.answer(line.decode("ascii", "replace").strip()).encode() + b"\r\n"
-            self.outbox.put(reply, arrived + THINKING_S + len(reply) * BITS_PER_BYTE / BAUD)
+            self.outbox.put(
+                reply, arrived + THINKING_S + len(reply) * BITS_PER_BYTE / REGULATOR_BAUD
+            )
 
     def answer(self, command: str) -> str:
         """The reply to a command; a set-point is in force when it is given."""

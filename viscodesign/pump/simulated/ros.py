@@ -17,8 +17,8 @@ from viscodesign.scene.per_inlet import each
 from viscodesign.scene.pumps.servo import ServoPumpSpec
 
 IDENTITY = bytes([ROS_MODEL & 255, ROS_MODEL >> 8, 0, ARBOTIX, 34])  # model, version, id, baud
-BAUD, DIGITAL_IN, RESCAN, RETURN_LEVEL, ALARM_LED, ANALOG, SERVOS = 4, 5, 15, 16, 17, 18, 26
-DIGITAL_OUT, USER = 47, 79
+BAUD, INPUT_PINS, RESCAN, RETURN_LEVEL, ALARM_LED = 4, 5, 15, 16, 17
+ANALOG_PINS, SERVO_REGISTERS, OUTPUT_PINS, USER = 18, 26, 47, 79
 CONVERSION = 450e-6  # four analog conversions [s]
 SWITCH_DISTANCE = 10  # of the limit switches behind the ends of travel [counts]
 
@@ -86,7 +86,7 @@ class Ros(Firmware):
     def own(self, packet: Packet) -> Work:
         if packet.code == Instruction.READ:
             addresses = range(self._parameters[0], self._parameters[0] + self._parameters[1])
-            yield self.now + sum(ANALOG <= a < SERVOS for a in addresses) * CONVERSION
+            yield self.now + sum(ANALOG_PINS <= a < SERVO_REGISTERS for a in addresses) * CONVERSION
             self.reply(ARBOTIX, 0, bytes(self._register(a) for a in addresses))
         elif packet.code == Instruction.WRITE:
             self.reply(ARBOTIX, self._write(packet.parameters))
@@ -95,11 +95,11 @@ class Ros(Firmware):
         """One byte of the board's own registers."""
         if address < len(IDENTITY):
             return IDENTITY[address]
-        if DIGITAL_IN <= address < DIGITAL_IN + 4:
-            first = 8 * (address - DIGITAL_IN)
+        if INPUT_PINS <= address < INPUT_PINS + 4:
+            first = 8 * (address - INPUT_PINS)
             return sum(self._level(first + bit) << bit for bit in range(8))
-        if ANALOG <= address < SERVOS:
-            return min(int(self.pins.analog(address - ANALOG) * 1024), 1023) >> 2
+        if ANALOG_PINS <= address < SERVO_REGISTERS:
+            return min(int(self.pins.analog(address - ANALOG_PINS) * 1024), 1023) >> 2
         return int(address == RETURN_LEVEL)
 
     def _level(self, pin: int) -> bool:
@@ -110,8 +110,8 @@ class Ros(Firmware):
     def _write(self, parameters: bytes) -> int:
         """Byte by byte until one is refused; the error of that."""
         for address, value in enumerate(parameters[1:], parameters[0]):
-            if DIGITAL_OUT <= address < USER:
-                self._outputs[address - DIGITAL_OUT] = value
+            if OUTPUT_PINS <= address < USER:
+                self._outputs[address - OUTPUT_PINS] = value
             elif address not in (BAUD, RESCAN, RETURN_LEVEL, ALARM_LED):
                 return ErrorBits.INSTRUCTION
         return 0

@@ -29,7 +29,7 @@ class SimulatedServo:
     """One servo, its horn on a rack that a load pushes."""
 
     def __init__(self, id: int = 1, model: int = 18, position: float = 512.0) -> None:
-        self.memory = bytearray(table.END)
+        self.memory = bytearray(table.TABLE_END)
         self.position = position  # counts, not rounded
         self.speed = 0.0  # [counts/s]
         self.output = 0.0  # of the motor, -1 to 1 of what the supply gives
@@ -136,7 +136,7 @@ class SimulatedServo:
                 start, stop = given[0], given[0] + given[1]
                 return (
                     (ErrorBits.RANGE, b"")
-                    if stop > table.END
+                    if stop > table.TABLE_END
                     else (0, bytes(self.memory[start:stop]))
                 )
             case Instruction.WRITE if len(given) > 1:

@@ -15,7 +15,7 @@ from viscodesign.pump.ax.protocol import registers
 from viscodesign.pump.ax.protocol.packets import Instruction, Parser
 from viscodesign.pump.boards.arbotix import LONGEST_READ, Arbotix
 from viscodesign.pump.poses import engine
-from viscodesign.pump.poses.engine import MOST_MOVES, Move, PoseSequence
+from viscodesign.pump.poses.engine import MAX_MOVES, Move, PoseSequence
 from viscodesign.pump.simulated.device import Device, DirectLine
 from viscodesign.pump.simulated.pypose import PyPose
 from viscodesign.pump.simulated.ros import Ros
@@ -131,14 +131,14 @@ def test_packets_are_those_of_the_firmwares_own_host() -> None:
 
 def test_what_would_hang_the_board_is_refused() -> None:
     with pytest.raises(PumpError, match="47 moves; the board takes 1 to 46"):
-        engine.load_sequence([Move(0, 32)] * (MOST_MOVES + 1))
+        engine.load_sequence([Move(0, 32)] * (MAX_MOVES + 1))
     with pytest.raises(PumpError, match="0 moves"):
         engine.load_sequence([])
     with pytest.raises(PumpError, match="pose 30"):
         engine.load_pose(30, (1, 2))
     with pytest.raises(PumpError, match="32768 ms"):
         engine.load_sequence([Move(0, 32768)])
-    assert len(engine.load_sequence([Move(0, 32)] * MOST_MOVES).encode()) == 147
+    assert len(engine.load_sequence([Move(0, 32)] * MAX_MOVES).encode()) == 147
 
 
 @given(st.lists(st.tuples(st.integers(0, 29), st.integers(0, 32767)), min_size=1, max_size=46))

@@ -15,7 +15,7 @@ from tests.pose_rig import swing
 from tests.poses_h import read_poses_h
 from viscodesign.errors import PumpError
 from viscodesign.pump.poses.c_header import poses_h
-from viscodesign.pump.poses.engine import MOST_MOVES, Move, PoseSequence
+from viscodesign.pump.poses.engine import MAX_MOVES, Move, PoseSequence
 from viscodesign.pump.poses.fit import fit_poses
 
 STAND_INS = {
@@ -75,7 +75,7 @@ def sequences(draw: st.DrawFn) -> PoseSequence:
         st.lists(st.tuples(*[st.integers(0, 1023)] * servos), min_size=1, max_size=30, unique=True)
     )
     move = st.builds(Move, st.integers(0, len(poses) - 1), st.integers(0, 32767))
-    return PoseSequence(tuple(poses), tuple(draw(st.lists(move, min_size=1, max_size=MOST_MOVES))))
+    return PoseSequence(tuple(poses), tuple(draw(st.lists(move, min_size=1, max_size=MAX_MOVES))))
 
 
 @given(sequences(), st.booleans())

@@ -14,7 +14,7 @@ from viscodesign.pump.poses.engine import (
     EXACT_FRAMES,
     FRAME,
     LONGEST_MS,
-    MOST_FRAMES,
+    MAX_FRAMES,
     PHANTOM,
     Move,
     PoseSequence,
@@ -67,12 +67,12 @@ def test_each_servo_goes_straight_and_waits_for_the_slowest(
         assert column.tolist() == (EIGHTHS * a + np.sign(b - a) * gone).tolist()
 
 
-@given(st.integers(0, EIGHTHS * 1023), st.integers(1, MOST_FRAMES))
+@given(st.integers(0, EIGHTHS * 1023), st.integers(1, MAX_FRAMES))
 def test_no_servo_takes_longer_than_asked(distance: int, frames: int) -> None:
     assert 1 <= frames_taken(distance, frames) <= frames
 
 
-@given(st.integers(1, MOST_FRAMES))
+@given(st.integers(1, MAX_FRAMES))
 def test_a_time_asks_for_its_frames(frames: int) -> None:
     assert frames_asked(time_asking(frames)) == frames
     assert frames_in_16_bits(time_asking(frames)) == frames
@@ -96,7 +96,7 @@ def test_a_wait_with_the_phantom_lasts_what_was_asked(frames: int) -> None:
 
 
 def test_the_slowest_ramp_is_an_eighth_of_a_count_a_frame() -> None:
-    rows = play(sequence(((200, PHANTOM), time_asking(MOST_FRAMES))), (100, 0))
+    rows = play(sequence(((200, PHANTOM), time_asking(MAX_FRAMES))), (100, 0))
     assert np.unique(np.diff(rows[:800, 0])).tolist() == [1]
     assert pytest.approx(3.8, abs=0.02) == 1 / EIGHTHS / FRAME  # counts per second
 
@@ -105,7 +105,7 @@ def test_the_phantom_times_all_short_waits_and_few_long_ones() -> None:
     distance = EIGHTHS * PHANTOM
     # 8000 // s + 1 frames at s eighths a frame: all of them that there are, and no others.
     reached = {distance // step + 1 for step in range(1, distance + 2)}
-    assert set(EXACT_FRAMES) == {frames for frames in reached if frames <= MOST_FRAMES}
+    assert set(EXACT_FRAMES) == {frames for frames in reached if frames <= MAX_FRAMES}
     assert EXACT_FRAMES[:92] == tuple(range(1, 93))
     assert 93 not in EXACT_FRAMES
     long = np.array(EXACT_FRAMES[91:])
@@ -117,13 +117,13 @@ def test_a_move_whose_time_overflows_sixteen_bits_runs_at_the_slowest_speed() ->
     assert len(rows) == EIGHTHS * 10 + 1
 
 
-@pytest.mark.parametrize("frames", [0, MOST_FRAMES + 1])
+@pytest.mark.parametrize("frames", [0, MAX_FRAMES + 1])
 def test_times_that_the_board_does_not_take_are_refused(frames: int) -> None:
     with pytest.raises(PumpError, match="the firmware takes 1 to 993"):
         time_asking(frames)
 
 
-@pytest.mark.parametrize("frames", [2, 3, 30, MOST_FRAMES])
+@pytest.mark.parametrize("frames", [2, 3, 30, MAX_FRAMES])
 def test_a_phantom_that_was_never_read_is_there_in_one_frame(frames: int) -> None:
     assert len(play_in_16_bits(sequence(((300, 0), time_asking(frames))), (300, UNREAD))) == 1
 

@@ -12,8 +12,8 @@ from viscodesign.errors import PumpError
 from viscodesign.pump.poses.engine import (
     EIGHTHS,
     FRAME,
-    MOST_MOVES,
-    MOST_POSES,
+    MAX_MOVES,
+    MAX_POSES,
     PHANTOM,
     Move,
     PoseSequence,
@@ -81,8 +81,8 @@ def _one_round(counts: np.ndarray, fit: PoseFit) -> np.ndarray:
 def check(wanted: Profile, fit: PoseFit) -> None:
     """What holds for every fit."""
     sequence = fit.sequence
-    assert len(sequence.poses) <= MOST_POSES
-    assert len(sequence.moves) <= MOST_MOVES
+    assert len(sequence.poses) <= MAX_POSES
+    assert len(sequence.moves) <= MAX_MOVES
     assert {pose[-1] for pose in sequence.poses} <= {0, PHANTOM}
     assert all(0 <= move.ms <= 32767 for move in sequence.moves)
     assert [goal[-1] for goal in sequence.goals()] == [

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from tests.pumps import HOME, bench
 from viscodesign.pump.ax.protocol import packets
 from viscodesign.pump.ax.protocol.packets import Packet, Parser
-from viscodesign.pump.simulated.pypose import FRAME, PyPose
+from viscodesign.pump.simulated.pypose import FIRMWARE_FRAME, PyPose
 
 HELLO = packets.ping(253)
 PLAY = Packet(253, 10)
@@ -60,7 +60,7 @@ def test_the_law_of_its_time(target: int, ms: int) -> None:
     distance = 8 * abs(target - HOME)
     step = distance // (ms // 33 + 1) + 1
     frames = distance // step + 1 if distance else 1
-    assert host.frames(frames * FRAME + 0.1) == frames
+    assert host.frames(frames * FIRMWARE_FRAME + 0.1) == frames
     assert host.board.engine.pose[0] == 8 * target
 
 
@@ -71,7 +71,7 @@ def test_the_law_of_its_time(target: int, ms: int) -> None:
 def test_it_cannot_wait(counts: int, ms: int, seconds: float) -> None:
     host = Host()
     host.load([[HOME + counts]], [(0, ms)])
-    assert host.frames(6.0) * FRAME == pytest.approx(seconds, rel=0.02)
+    assert host.frames(6.0) * FIRMWARE_FRAME == pytest.approx(seconds, rel=0.02)
 
 
 @pytest.mark.parametrize("frames", [30, 50])  # image
@@ -82,7 +82,7 @@ def test_a_servo_that_is_not_there_makes_it_wait(frames: int) -> None:
         [(0, 32), (1, 33 * frames - 1), (2, 33 * frames - 1)],
     )
     host.frames(0.2)
-    assert host.frames(2 * (frames + 4) * FRAME) >= 2 * frames
+    assert host.frames(2 * (frames + 4) * FIRMWARE_FRAME) >= 2 * frames
 
 
 @pytest.mark.parametrize(("entries", "alive"), [(46, True), (47, False)])  # image; and the end

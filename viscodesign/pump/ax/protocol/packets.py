@@ -14,7 +14,7 @@ from viscodesign.lazy_dataclass import dataclass
 
 HEADER = b"\xff\xff"
 BROADCAST = 254  # addresses all servos, and is never answered
-MOST_PARAMETERS = 253  # LEN is one byte and counts two more
+MAX_PARAMETERS = 253  # LEN is one byte and counts two more
 OVERHEAD = 6  # bytes of a packet around its parameters
 
 
@@ -78,8 +78,8 @@ class Packet:
     def __post_init__(self) -> None:
         if not (0 <= self.id <= BROADCAST and 0 <= self.code <= 255):
             raise ValueError(f"a packet with id {self.id}, code {self.code}")
-        if len(self.parameters) > MOST_PARAMETERS:
-            raise ValueError(f"{len(self.parameters)} parameters; a packet holds {MOST_PARAMETERS}")
+        if len(self.parameters) > MAX_PARAMETERS:
+            raise ValueError(f"{len(self.parameters)} parameters; a packet holds {MAX_PARAMETERS}")
 
     def encode(self) -> bytes:
         body = bytes([self.id, len(self.parameters) + 2, self.code]) + self.parameters
@@ -119,7 +119,7 @@ class Parser:
     byte, since a true packet may have begun inside it.
     """
 
-    def __init__(self, most: int = MOST_PARAMETERS) -> None:
+    def __init__(self, most: int = MAX_PARAMETERS) -> None:
         """``most`` parameters of the longest packet that may come."""
         self._most = most
         self._bytes = bytearray()

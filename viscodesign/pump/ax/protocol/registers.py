@@ -11,13 +11,13 @@ import math
 from viscodesign.lazy_dataclass import dataclass
 
 RAM = 24  # first address that is forgotten without power; below it lies the EEPROM
-END = 50  # behind the last address
+TABLE_END = 50  # behind the last address
 FULL = 1023  # highest position, speed and torque
 SPEED_UNIT = 0.111 / 60  # of the speed registers [turns/s]
 COUNTS_PER_TURN = 1024 * 360.0 / 300.0
 """1024 counts span 300 degrees (Goal Position)."""
 COUNT_ANGLE = 2 * math.pi / COUNTS_PER_TURN  # [rad]
-ROUNDING = 1e-9
+SPEED_ROUNDING = 1e-9
 """Part of a unit that a speed may be above a value by rounding alone."""
 
 
@@ -26,7 +26,7 @@ def speed_register(speed: float) -> int:
 
     Never 0, which is full speed, and at most full speed.
     """
-    return min(max(math.ceil(abs(speed) / SPEED_UNIT - ROUNDING), 1), FULL)
+    return min(max(math.ceil(abs(speed) / SPEED_UNIT - SPEED_ROUNDING), 1), FULL)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ ARBOTIX = 253  # id by which the firmwares of the ArbotiX answer for themselves
 ROS_MODEL = 300  # model number of its firmware for ROS
 BROKEN = ErrorBits.CHECKSUM | ErrorBits.INSTRUCTION
 """Reported of a corrupt request (the PyPose firmware answers a wrong checksum by 64)."""
-MOST_BYTES = 4096  # taken from the line at once
+MAX_READ_BYTES = 4096  # taken from the line at once
 REMEDIES = {
     ErrorBits.OVERLOAD: "Nothing holds the plunger now. Release the pressure, find what blocked "
     "it, and cycle the power",
@@ -195,7 +195,7 @@ class Transactions:
         self.send(packet)
         deadline = self.line.clock.now() + patience
         parser, came = Parser(), b""
-        while data := self.line.read(MOST_BYTES, deadline):
+        while data := self.line.read(MAX_READ_BYTES, deadline):
             came += data
             for reply in filter(answers, parser.feed(data)):
                 return reply, came
@@ -208,7 +208,7 @@ class Transactions:
         if not any(owing == servo for owing, _ in self._owed):
             return True
         deadline = self.line.clock.now() + SILENCE
-        while self.line.read(MOST_BYTES, deadline) and self.line.clock.now() < deadline:
+        while self.line.read(MAX_READ_BYTES, deadline) and self.line.clock.now() < deadline:
             pass
         speaker = servo if self._speaker is None else self._speaker
         # A firmware that only acknowledges, before any servo has spoken: silence must do.

@@ -4,10 +4,10 @@
 // Works on points of the axis in metres; `body` is {arc, sections, width, bellows, inlets, tubes}.
 
 const BELLOW_GAP = 0.12, AXIS_GAP = 0.08;
-const MOST_EDGED = 64, MOST_TUBES = 128, COLOURS = 32;
+const MAX_EDGED = 64, MAX_TUBES = 128, COLOURS = 32;
 // From so many sections on the gap between two is less than half a pixel; a piece of the axis of a few pixels is
 // as good as straight.
-const MERGED_SECTIONS = 140, LONGEST_PIECE = 4, USUAL_HEIGHT = 400, MOST_SPINE = 257;
+const MERGED_SECTIONS = 140, LONGEST_PIECE = 4, USUAL_HEIGHT = 400, MAX_SPINE = 257;
 
 // The actuator of a run.
 function bodyOf(run) {
@@ -28,7 +28,7 @@ function roomOf(points, width) {
 }
 
 function makeActuator(host, body, room, scale, label) {
-  const pen = 1000 * body.width, edged = body.bellows.length <= MOST_EDGED;
+  const pen = 1000 * body.width, edged = body.bellows.length <= MAX_EDGED;
   const box = [room.left, room.top, room.right - room.left, room.bottom - room.top].map((v) => 1000 * v);
   const svg = drawn("svg", { viewBox: box.join(" "), role: "img", "aria-label": label, class: "body" });
   const trace = drawn("path", { class: "trace", "stroke-width": 0.02 * pen });
@@ -178,14 +178,14 @@ function bellowPath(places, { section, sign }, width) {
 
 function drawActuator(view, points, pressures, inletPressures) {
   const { body, scale } = view, places = placesAlong(points, view.frame);
-  if (body.bellows.length > MOST_EDGED) drawInColours(view, places, pressures);
+  if (body.bellows.length > MAX_EDGED) drawInColours(view, places, pressures);
   else body.bellows.forEach((_, k) => {
     view.cells[k].setAttribute("d", bellowPath(places, view.cellOf[k], widthOf(body, view.cellOf[k])));
     view.cells[k].setAttribute("fill", pressureColour(scale, pressures[k]));
   });
   view.inlets.forEach((mark, k) => mark.setAttribute("fill", pressureColour(scale, inletPressures[k])));
-  if (body.tubes.length <= MOST_TUBES) view.tubes.setAttribute("d", tubePaths(body, places));
-  view.spine.setAttribute("d", pathOf(points, Math.ceil(points.length / 2 / MOST_SPINE)));
+  if (body.tubes.length <= MAX_TUBES) view.tubes.setAttribute("d", tubePaths(body, places));
+  view.spine.setAttribute("d", pathOf(points, Math.ceil(points.length / 2 / MAX_SPINE)));
   for (const mark of view.tips) {
     mark.setAttribute("cx", 1000 * points[points.length - 2]);
     mark.setAttribute("cy", 1000 * points[points.length - 1]);

@@ -4,7 +4,7 @@
 // its curves are drawn once, and only the cursor and its dots move.
 
 const PANEL = { height: 136, left: 52, right: 10, top: 6, bottom: 20 };
-const MOST_CURVES = 16;
+const MAX_CURVES = 16;
 
 // `panel`: {title, unit, curves: [{name, values, colour, thick, dashed, time}], note, across}; a curve may
 // have times of its own, and what stands behind the last number of the axis is ` s` unless `across` says.
@@ -134,8 +134,8 @@ function dragging(svg, view, seekTime) {
 
 // Which of many curves are drawn: the first, the last, and some between.
 function someOf(count) {
-  if (count <= MOST_CURVES) return Array.from({ length: count }, (_, k) => k);
-  return Array.from({ length: MOST_CURVES }, (_, k) => Math.round((k * (count - 1)) / (MOST_CURVES - 1)));
+  if (count <= MAX_CURVES) return Array.from({ length: count }, (_, k) => k);
+  return Array.from({ length: MAX_CURVES }, (_, k) => Math.round((k * (count - 1)) / (MAX_CURVES - 1)));
 }
 
 function panelsOf(run) {

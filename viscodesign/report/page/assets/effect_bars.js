@@ -39,7 +39,7 @@ function showBand(run, host) {
     || `±${millimetres(uncertainty.half_width_95_m)} (95 %, at ${shortNumber(uncertainty.time_s, 3)} s)${uncertainty.keys.some((own) => own.assumed) ? ", some assumed" : ""}`;
   host.append(element("p", { id: "both-errors" }, element("strong", {}, "Both errors"), ...prose(`: numerical ${numerical}; from the coefficients ${known}; validity ${validity.state}.`)));
   if (run.bandless) return;
-  const named = uncertainty.keys.filter((own) => own.share_of_variance >= LEAST_SHARE);
+  const named = uncertainty.keys.filter((own) => own.share_of_variance >= MIN_SHARE);
   const heads = ["number", "value", "standard deviation", "share of the variance"];
   if (named.length) host.append(stacked(table(heads, named.map(knownCells), { label: "uncertain numbers" }), heads));
   host.append(element("p", { class: "hint" }, moreNumbers(uncertainty.keys, named),
@@ -47,7 +47,7 @@ function showBand(run, host) {
 }
 
 // Share of the variance below which a number has no row of its own.
-const LEAST_SHARE = 0.0005;
+const MIN_SHARE = 0.0005;
 
 function knownCells(own) {
   const unit = own.unit === "1" ? "" : ` ${own.unit}`;
@@ -65,7 +65,7 @@ function breakable(key) {
 function moreNumbers(all, named) {
   const rest = all.length - named.length;
   if (!rest) return "";
-  return `${named.length ? `And ${rest} more` : `${rest} numbers`}, each below ${shortNumber(100 * LEAST_SHARE, 2)} % of the variance; summary.json has all. `;
+  return `${named.length ? `And ${rest} more` : `${rest} numbers`}, each below ${shortNumber(100 * MIN_SHARE, 2)} % of the variance; summary.json has all. `;
 }
 
 // Rows with a bar in millimetres on a logarithmic axis; the accuracy is a line.
@@ -114,13 +114,13 @@ function showEffects(run) {
 }
 
 // A solution tells displacements apart down to a nanometre.
-const LEAST_MEASURED = 1e-9;
+const MIN_MEASURED = 1e-9;
 
 function measuredWords(measured, name) {
   if (!measured.has(name)) return "not measured";
   const size = measured.get(name);
   if (!isKnown(size)) return "no solution";
-  return size < LEAST_MEASURED ? "< 1e−6 mm" : millimetres(size);
+  return size < MIN_MEASURED ? "< 1e−6 mm" : millimetres(size);
 }
 
 function tellNeglected(proof, asked) {

@@ -88,7 +88,7 @@ function pressureColour(scale, pressure) {
 }
 
 // Least range of the colours, as a share of the largest pressure.
-const LEAST_RANGE = 0.02;
+const MIN_RANGE = 0.02;
 
 // Grey is the ambient, unless all pressures lie far from it: then their middle.
 function pressureScale(low, high) {
@@ -96,7 +96,7 @@ function pressureScale(low, high) {
   const near = low * high > 0 && high - low > 1e-6 * largest && high - low < 0.4 * largest;
   if (near) {
     // Full colours for hardly any difference would tell of a motion that is none.
-    const middle = (low + high) / 2, half = Math.max((high - low) / 2, LEAST_RANGE * largest / 2);
+    const middle = (low + high) / 2, half = Math.max((high - low) / 2, MIN_RANGE * largest / 2);
     return { low: middle - half, high: middle + half, middle, below: half, above: half };
   }
   // Each side has the full colour, unless it is small beside the other.

@@ -190,15 +190,15 @@ function valueLine(name, array, k, factor, decimals) {
   return [name, (row) => fixedNumber(factor * array.values[row * (array.shape[1] || 1) + k], decimals)];
 }
 
-const MOST_LISTED = 64;
+const MAX_LISTED = 64;
 
 function instantOf(run) {
   const lines = [valueLine("time [s]", run.time, 0, 1, timeDecimals(run.time.values)), ...["x", "z"].map((name, k) => valueLine(`tip ${name} [mm]`, run.tip, k, 1e3, 3)),
     valueLine("tip angle [deg]", run.tip, 2, 180 / Math.PI, 2),
     ...run.inlets.map((name, k) => valueLine(`pressure, ${run.inlets.length > 1 ? `inlet ${name}` : "inlet"} [kPa]`, run.inlet_pressure, k, 1e-3, 3)),
-    ...run.bellows.slice(0, MOST_LISTED).map((name, k) => valueLine(`pressure, ${name} [kPa]`, run.pressure, k, 1e-3, 3)),
+    ...run.bellows.slice(0, MAX_LISTED).map((name, k) => valueLine(`pressure, ${name} [kPa]`, run.pressure, k, 1e-3, 3)),
     ...run.tubes.map((name, k) => valueLine(`flow, ${name} [mL/s]`, run.flow, k, 1e6, 4)),
-    ...(run.quantities ?? []).flatMap(({ title, unit, names, values }) => names.slice(0, MOST_LISTED).map((name, k) =>
+    ...(run.quantities ?? []).flatMap(({ title, unit, names, values }) => names.slice(0, MAX_LISTED).map((name, k) =>
       valueLine(`${name === title ? title : `${title}, ${name}`} [${unit}]`, values, k, 1, 4)))];
-  return makeInstant(lines, run.bellows.length > MOST_LISTED ? `The first ${MOST_LISTED} of ${run.bellows.length} bellows; all are in trajectory.csv.` : "");
+  return makeInstant(lines, run.bellows.length > MAX_LISTED ? `The first ${MAX_LISTED} of ${run.bellows.length} bellows; all are in trajectory.csv.` : "");
 }

@@ -12,7 +12,7 @@ from viscodesign.pump.ax.protocol import registers
 def test_registers_stand_in_order_and_do_not_overlap() -> None:
     table = registers.TABLE
     assert all(a.address + a.size <= b.address for a, b in itertools.pairwise(table))
-    assert table[-1].address + table[-1].size == registers.END
+    assert table[-1].address + table[-1].size == registers.TABLE_END
 
 
 @pytest.mark.parametrize(("data", "value"), [("0002", 512), ("ff03", 1023)])
