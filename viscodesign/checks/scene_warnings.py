@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from viscodesign.checks.plausibility import plausibility_notices
 from viscodesign.checks.resting_inputs import resting_notices
 from viscodesign.checks.table_cover import table_notices
+from viscodesign.effects.base import Effect
 from viscodesign.effects.catalogue import every_effect
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.results.findings import Notice, Verdict
@@ -27,9 +28,10 @@ def scene_notices(quantities: SceneQuantities, active: frozenset[str]) -> Iterat
 
 
 def verdict_notices(quantities: SceneQuantities, verdicts: Iterable[Verdict]) -> Iterator[Notice]:
-    """Effects that a spec switches off although its scene needs them, and changed defaults."""
+    """Effects that a spec switches off although its scene or others need them; changed defaults."""
     effects = every_effect(quantities)
     for verdict in verdicts:
+        yield from _unmet_needs(quantities, effects[verdict.name], verdict)
         changed = effects[verdict.name].changed_default(quantities)
         if verdict.mode == "off" and not verdict.taken and verdict.budget_share > 1.0:
             yield Notice(
@@ -46,6 +48,20 @@ def verdict_notices(quantities: SceneQuantities, verdicts: Iterable[Verdict]) ->
                 f"{changed}, or accept the default with `spec: 1`",
                 effects[verdict.name].keys[0],
             )
+
+
+def _unmet_needs(quantities: SceneQuantities, effect: Effect, verdict: Verdict) -> Iterator[Notice]:
+    """An effect that the spec switches on, and one off without which it acts on nothing."""
+    modes = quantities.scene.effects.modes
+    forbidden = [name for name in effect.needs if modes.get(name) == "off"]
+    if modes.get(effect.name) == "on" and verdict.present and forbidden and not verdict.taken:
+        needed = " and ".join(forbidden)
+        yield Notice(
+            "unmet_need",
+            f"effects.{effect.name} is on, but not {needed}, without which it has nothing to act "
+            f"on: it is left out; use `{needed}: auto`",
+            f"effects.{effect.name}",
+        )
 
 
 def _says_its_version(quantities: SceneQuantities) -> bool:

@@ -391,6 +391,18 @@ def test_a_verdict_for_every_member(modes: str) -> None:
         assert not follows or modes != "off" or not verdict.taken
 
 
+def test_an_effect_that_is_on_without_what_it_needs_is_warned_of() -> None:
+    def warned(effects: str) -> dict[str, str]:
+        found = check(leg(f"effects={effects}"))
+        return {w.where: w.message for w in found.warnings if w.code == "unmet_need"}
+
+    told = warned("{choked_flow: on, gas_compressibility: off}")
+    assert set(told) == {"effects.choked_flow"}
+    assert "use `gas_compressibility: auto`" in told["effects.choked_flow"]
+    assert not warned("{choked_flow: on, others: off}")  # what is needed follows it
+    assert not warned("{others: on, gas_compressibility: off}")
+
+
 def needed_off(found: Check) -> dict[str, str]:
     return {w.where: w.message for w in found.warnings if w.code == "needed_effect_off"}
 
