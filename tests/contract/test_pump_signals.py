@@ -84,6 +84,7 @@ def test_from_a_signal_to_a_hold_on_the_wire(streaming: Streaming, number: int) 
     status, err = streaming.end()
     assert status == 130, err
     assert "Traceback" not in err
+    assert ("Ctrl-C again within 3 s releases the pump" in err) == (number == signal.SIGINT)
     requests = [e for e in streaming.log() if e["kind"] == "tx" and e["monotonic_s"] > sent]
     holds = [k for k, entry in enumerate(requests) if is_hold(entry)]
     assert holds[0] <= REQUESTS

@@ -186,7 +186,7 @@ def new_folder(directory: str | Path, *, force: bool = False) -> Iterator[None]:
 
     What the folder already holds by then stays.
     """
-    with _without_empty(Path(directory)):
+    with without_empty(Path(directory)):
         prepare_folder(directory, force=force)
         yield
 
@@ -197,7 +197,7 @@ def new_file(path: Path) -> Iterator[None]:
 
     Raises `UsageError` and `OutputError` as `replaced` does.
     """
-    with _without_empty(path.parent):
+    with without_empty(path.parent):
         with write_errors_as_usage(path):
             if path.is_dir():
                 raise UsageError(f"{path} is a folder; name a file")
@@ -207,7 +207,7 @@ def new_file(path: Path) -> Iterator[None]:
 
 
 @contextmanager
-def _without_empty(folder: Path) -> Iterator[None]:
+def without_empty(folder: Path) -> Iterator[None]:
     """Where what happens within fails, no folder remains that it made empty."""
     made = [path for path in (folder, *folder.parents) if not os.path.exists(path)]
     try:

@@ -6,10 +6,21 @@ import io
 import os
 import pty
 
+import numpy as np
+import pytest
+
+from tests.plans import made_plan
+from tests.scenes import leg
 from tests.unit.pump.samples import sample
-from viscodesign.cli.texts.live_view import REPORT_INTERVAL_S, LiveView, NonblockingText
+from viscodesign.cli.texts.live_view import (
+    REPORT_INTERVAL_S,
+    LiveView,
+    NonblockingText,
+    live_view,
+)
 from viscodesign.pump.play.guard import Stop
 from viscodesign.pump.play.stream_result import TickReport
+from viscodesign.pump.profile import Profile
 
 
 class Terminal(io.StringIO):
@@ -119,3 +130,17 @@ def test_a_full_pipe_does_not_stop_the_pump() -> None:
             now[0] += REPORT_INTERVAL_S
             picture.show(shown())
         os.close(ours)
+
+
+@pytest.mark.parametrize("quiet", [False, True])
+def test_a_hint_is_a_line_of_its_own_unless_quiet(
+    quiet: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    moved = np.array([[200.0], [260.0]])
+    profile = Profile(("inlet",), (1,), np.array([0.0, 1.0]), moved, np.zeros((2, 1)))
+    plan, pump = made_plan(profile), leg(config="leg_16_pump").pump
+    assert pump is not None
+    with live_view(plan, pump, "", quiet) as (show, hint):
+        hint("held")
+        assert (show is None) == quiet
+    assert capsys.readouterr().err == ("" if quiet else "held\n")

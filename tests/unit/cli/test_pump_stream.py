@@ -64,9 +64,7 @@ def test_without_a_terminal_or_yes_nothing_moves(call: Call, tmp_path: Path) -> 
     assert told.status == 2
     assert "--yes" in told.err
     assert "plunger" in told.err  # the plan was shown
-    assert not (tmp_path / "run" / "record.csv").exists()
-    log = (tmp_path / "run" / "log.jsonl").read_text()
-    assert '"kind": "tick"' not in log
+    assert not (tmp_path / "run").exists()
 
 
 def test_a_refused_confirmation_moves_nothing(
@@ -77,6 +75,38 @@ def test_a_refused_confirmation_moves_nothing(
     told = call("pump", "stream", SPEC, *SHORT, "-o", tmp_path / "run")
     assert told.status == 2
     assert "nothing moved" in told.err
+
+
+def test_a_record_of_a_real_pump_is_not_replaced(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    words = ["pump", "stream", SPEC, *SHORT, "--yes", "--json"]
+    assert call(*words).status == 0
+    assert call(*words).status == 0  # a simulated one of the same spec is
+    (folder,) = Path("runs").iterdir()
+    beside = folder / "record.json"
+    beside.write_text(beside.read_text().replace('"simulated": true', '"simulated": false'))
+    before = beside.read_bytes()
+    refused = call(*words, "-o", folder)
+    assert refused.status == 2
+    assert "--force" in refused.err
+    other = call(*words)
+    assert other.status == 0
+    assert f"this one is in {folder}-2" in other.err
+    assert beside.read_bytes() == before
+    assert call(*words, "-o", folder, "--force").status == 0
+    assert json.loads(beside.read_text())["simulated"] is True
+
+
+def test_another_spec_of_the_same_name_keeps_the_first_record(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    words = ["pump", "stream", SPEC, *SHORT, "--yes"]
+    assert call(*words).status == 0
+    assert call(*words, "--set", "run.duration=1 s").status == 0
+    assert len(list(Path("runs").iterdir())) == 2
 
 
 def test_a_dry_run_prints_packets_and_leaves_no_file(call: Call, tmp_path: Path) -> None:
@@ -106,7 +136,7 @@ def test_what_the_pump_cannot_do_is_refused_or_clipped(call: Call, tmp_path: Pat
         (["--board", "arbotix", "--port", "x"], "pump upload"),
         (["--rate", "5"], "10 to 100 Hz"),
         (["--on-stop", "sit"], "hold, release, retract"),
-        (["--board", "dynamixel"], "needs --port"),
+        (["--board", "dynamixel"], "needs a port"),
         (["--board", "dynamixel", "--port", "x", "--pace", "10"], "only the simulated"),
         (["--port", "x"], "nothing real moves"),
         (["--pace", "fast"], "or max"),
@@ -249,7 +279,8 @@ def test_a_link_that_is_too_slow_is_refused_before_anything_moves(
     told = call("pump", "stream", SPEC, *SHORT, "--yes", "-o", tmp_path / "run")
     assert told.status == 4
     assert "reading the pump once takes 100 ms" in told.err
-    assert not (tmp_path / "run" / "record.csv").exists()
+    assert f"every byte of this attempt is in {tmp_path / 'run' / 'log.jsonl'}" in told.err
+    assert [file.name for file in (tmp_path / "run").iterdir()] == ["log.jsonl"]
 
 
 def test_a_supply_that_harms_the_servo_is_refused_even_where_less_is_accepted(

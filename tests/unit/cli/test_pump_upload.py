@@ -122,9 +122,9 @@ def test_json_is_one_document(upload: Upload, tmp_path: Path) -> None:
     [
         (("--play", "--loop", "--dry-run"), "mutually exclusive"),
         (("--play",), "--port is missing"),
-        (("--board", "dynamixel", "--dry-run"), "takes no poses; those go to --board arbotix"),
+        (("--board", "dynamixel", "--dry-run"), "takes no poses; those go to arbotix"),
         (("--board", "arbotics", "--dry-run"), "did you mean 'arbotix'?"),
-        (("--tolerance", "1 mm", "--dry-run"), "--tolerance '1 mm'"),
+        (("--tolerance", "1 mm", "--dry-run"), "tolerance '1 mm'"),
     ],
 )
 def test_wrong_options_are_refused(upload: Upload, words: tuple[str, ...], told: str) -> None:
@@ -136,7 +136,7 @@ def test_wrong_options_are_refused(upload: Upload, words: tuple[str, ...], told:
 def test_a_fit_above_the_tolerance_is_refused_with_its_error(upload: Upload) -> None:
     outcome = upload("--dry-run", "--tolerance", "0.1 counts")
     assert outcome.status == 4
-    assert "--tolerance is 0.1 counts" in outcome.err
+    assert "the tolerance is 0.1 counts" in outcome.err
     assert "pump stream" in outcome.err
 
 
@@ -215,7 +215,7 @@ def test_another_firmware_is_reported(upload: Upload) -> None:
     with PtyServer(Ros(bench(1)), WallClock()) as server:
         outcome = upload("--port", server.port, "--play", "--yes")
     assert outcome.status == 4
-    assert "--board arbotix-ros" in outcome.err
+    assert "the board arbotix-ros" in outcome.err
 
 
 def test_a_servo_with_low_voltage_is_not_moved(upload: Upload, port: str, pump: Watched) -> None:

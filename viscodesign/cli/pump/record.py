@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from viscodesign.cli.options import Answer, Overrides
-from viscodesign.cli.pump._options import Board, OptionalSpec, Pace, Wire, optional_scene
+from viscodesign.cli.pump._options import Board, Force, OptionalSpec, Pace, Wire, optional_scene
 
 EXAMPLE = """\b
 Examples:
@@ -33,6 +33,7 @@ def command(
     board: Board = "simulated",
     wire: Wire,
     pace: Pace = "1",
+    force: Force = False,
     overrides: Overrides = None,
     answer: Answer,
 ) -> None:
@@ -46,6 +47,8 @@ def command(
     from viscodesign.pump import record
 
     address, scene = wire.to(board, pace), optional_scene(spec, overrides)
-    report = record(output, address, scene, rate=rate, duration=duration, tell=complain)
+    report = record(
+        output, address, scene, rate=rate, duration=duration, force=force, tell=complain
+    )
     answer.give(report.document(), [f"{address.label}{report.rows} rows in {output}"])
     report.raise_failure()

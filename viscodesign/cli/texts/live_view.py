@@ -30,16 +30,20 @@ BAR_CELLS = (10, 40)
 @contextlib.contextmanager
 def live_view(
     plan: PumpPlan, pump: PumpSpec, label: str, quiet: bool
-) -> Iterator[Callable[[TickReport], None] | None]:
-    """What draws the ticks of a stream on standard error; nothing where that is not wanted."""
+) -> Iterator[tuple[Callable[[TickReport], None] | None, Callable[[str], None]]]:
+    """What draws the ticks of a stream on standard error, and what puts a line below them.
+
+    Neither shows anything where that is not wanted, and neither waits for a terminal.
+    """
     if quiet:
-        yield None
+        yield None, lambda line: None
         return
     course = plan.achievable
     duration = float(course.time[-1]) - course.lead_s
     span = (min(float(course.pressure.min()), 0.0), pump.max_pressure)
     with contextlib.closing(NonblockingText(sys.stderr)) as text:
-        yield LiveView(plan.inlets, span, duration, label.strip(), text).show
+        show = LiveView(plan.inlets, span, duration, label.strip(), text).show
+        yield show, lambda line: text.write(f"{line}\n")
 
 
 class NonblockingText:

@@ -55,13 +55,13 @@ class Arbotix(Board):
             raise PumpError(
                 f"no ArbotiX answers at {self.baud} baud: {error} It may also be playing poses, "
                 "which `pump stop --board arbotix` ends; an adapter without an ArbotiX is "
-                "--board dynamixel"
+                "the board dynamixel"
             ) from None
         if reply.parameters:
             model = registers.MODEL.decode(reply.parameters)
             kind = "the ROS firmware" if model == ROS_MODEL else f"model {model}"
             raise PumpError(
-                f"this ArbotiX runs {kind}, not PyPose's; use --board arbotix-ros with "
+                f"this ArbotiX runs {kind}, not PyPose's; use the board arbotix-ros with "
                 "`pump stream`, or load the sketch pypose.ino onto the board"
             )
         self.hello()

@@ -39,10 +39,10 @@ class ArbotixRos(Board):
         except NoReplyError as error:
             raise PumpError(
                 f"no ArbotiX answers at {self.baud} baud. {error} The firmware of PyPose needs "
-                "--board arbotix; an adapter without an ArbotiX needs --board dynamixel"
+                "the board arbotix; an adapter without an ArbotiX needs the board dynamixel"
             ) from None
         if not data:
-            raise PumpError("the firmware of PyPose answers here: use --board arbotix")
+            raise PumpError("the firmware of PyPose answers here: use the board arbotix")
         if (model := int.from_bytes(data[:2], "little")) != ROS_MODEL:
             raise PumpError(f"model {model} answers with id {ARBOTIX}; an ArbotiX is {ROS_MODEL}")
         return f"ArbotiX with the firmware for ROS, version {data[2]}"

@@ -24,7 +24,7 @@ class Dynamixel(Board):
         if not found:
             raise PumpError(
                 f"no servo answers with id {', '.join(map(str, servos))}. Is the power on, and "
-                f"is the bus at {self.baud} baud (--baud)? An ArbotiX in between needs --board "
+                f"is the bus at {self.baud} baud? An ArbotiX in between needs the board "
                 "arbotix or arbotix-ros"
             )
         return "adapter on the servos' bus; " + "; ".join(found)
@@ -39,7 +39,7 @@ class Dynamixel(Board):
         model = int.from_bytes(reply.parameters, "little")
         if model in (0, ROS_MODEL):
             other = "arbotix-ros" if model else "arbotix"
-            raise PumpError(f"an ArbotiX answers here, not a servo: use --board {other}")
+            raise PumpError(f"an ArbotiX answers here, not a servo: use the board {other}")
 
     def _describe(self, servo: int) -> str:
         """Model and version of a servo; empty where it does not answer."""

@@ -33,7 +33,7 @@ def serial_library() -> Iterator[None]:
     except ImportError as error:
         raise PumpError(
             f"serial ports need pyserial, which cannot be imported here ({error}). Install it "
-            "with: pip install pyserial; planning and `--board simulated` work without it"
+            "with: pip install pyserial; planning and the simulated board work without it"
         ) from error
 
 

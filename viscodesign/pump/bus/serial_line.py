@@ -100,7 +100,9 @@ class SerialLine(Line):
 def _why_closed(port: str, baud: int, error: BaseException) -> str:
     """What keeps the port from being opened, and what to do."""
     if isinstance(error, ValueError):
-        return f"{port}: {baud} baud is not a speed of this port ({error}); choose another --baud"
+        return (
+            f"{port}: {baud} baud is not a speed of this port ({error}); choose another baud rate"
+        )
     number = error.args[0] if error.args else None
     if number == errno.ENOENT:
         return f"{port}: no such port; `viscodesign pump ports` lists the available ones"

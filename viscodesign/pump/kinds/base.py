@@ -145,8 +145,8 @@ class PumpKind(ABC):
         """
         if without:
             raise UsageError(
-                f"--without-sensor: a pump of kind {self.name} measures its own pressure; leave "
-                "the option out"
+                f"without_sensor (--without-sensor): a pump of kind {self.name} measures its own "
+                "pressure; leave the option out"
             )
         return scene
 

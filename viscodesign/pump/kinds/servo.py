@@ -171,5 +171,6 @@ def _without_sensor(blind: list[str], inlets: tuple[str, ...]) -> str:
         example = f"{{{channels}}}"
     return (
         f"{missing}, so the pressure cap could not be enforced: add pump.sensor, like "
-        f"`sensor: {example}`, or use --without-sensor and rely on the servo's torque limit"
+        f"`sensor: {example}`, or use --without-sensor (without_sensor=True in "
+        "Python) and rely on the servo's torque limit"
     )

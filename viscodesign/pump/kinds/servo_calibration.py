@@ -42,7 +42,7 @@ def calibrate(link: Connection, request: CalibrationRequest) -> Calibration:
     elif len(link.axes) > 1:
         raise UsageError(
             "all servos of a spec share home and travel; calibrate each with a spec that has "
-            "its servo_id alone, then this one with --keep"
+            "its servo_id alone, then this one with --keep (keep=True in Python)"
         )
     elif pump.limit_switches is None:
         found = _by_hand(link, pump, request.by_hand, request.vented or confirm)
@@ -72,7 +72,7 @@ def calibration_steps(pump: ServoPumpSpec, request: CalibrationRequest) -> list[
 
 def _rename(link: Connection, old: int, new: int, confirm: Confirm) -> None:
     if not 0 <= new <= HIGHEST_ID:
-        raise UsageError(f"--rename: ids go from 0 to {HIGHEST_ID}; got {new}")
+        raise UsageError(f"rename: ids go from 0 to {HIGHEST_ID}; got {new}")
     if link.board.answers(new):
         raise PumpError(f"a servo with id {new} exists already; two would answer at once")
     _write(link, id_change(old, new), confirm)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from viscodesign.errors import Fault, SpecError
+from viscodesign.errors import Fault, SpecError, UsageError, described
 from viscodesign.plugins import members
 from viscodesign.pump.planning.demand import PumpDemand
 from viscodesign.scene.pumps.base import PumpSpec
@@ -21,7 +21,15 @@ def demand_kind(pump: PumpSpec) -> type[PumpDemand]:
 
 
 def pump_of(scene: Scene) -> PumpSpec:
-    """The scene's pump; raises `SpecError` with what to correct where nothing can be planned."""
+    """The scene's pump; raises `SpecError` with what to correct where nothing can be planned.
+
+    All that takes a scene begins here: what is none raises `UsageError`.
+    """
+    if not isinstance(scene, Scene):
+        raise UsageError(
+            "expected a scene, such as load('leg.yaml') returns, or the `pumped` of several "
+            f"actuators; got {described(scene)}"
+        )
     driven = [name for name, source in scene.inputs.items() if not source.gives_pressure]
     if scene.pump is None:
         key, message = "pump", MISSING

@@ -171,6 +171,10 @@ def refuse_infeasible(plan: PumpPlan, achievable: bool) -> None:
     bad = [v for v in plan.infeasible if not achievable or v.name in NOT_CLIPPED]
     if bad:
         remedy = "`pump plan` says what to change"
-        remedy += "" if achievable else "; --achievable plays what the pump can do"
+        remedy += (
+            ""
+            if achievable
+            else "; --achievable (achievable=True in Python) plays what the pump can do"
+        )
         reasons = (f"  {v.message}" for v in bad)
         raise PumpError("\n".join(["the pump cannot reproduce this profile:", *reasons, remedy]))

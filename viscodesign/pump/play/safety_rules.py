@@ -109,7 +109,7 @@ def _late(max_lag: float, sample: Sample) -> str | None:
         return None
     return (
         f"{sample.lag:.1f} ticks behind the profile (limit {max_lag:g}) in {LATE_SAMPLES} "
-        "samples: the link or this computer is too slow for the rate; lower --rate"
+        "samples: the link or this computer is too slow for the rate; lower the rate"
     )
 
 

@@ -10,6 +10,7 @@ from viscodesign.errors import PumpError
 from viscodesign.interrupt import StopRequest
 from viscodesign.lazy_dataclass import dataclass
 from viscodesign.pump.bus.clock import Clock
+from viscodesign.pump.consent import Tell, ignore
 from viscodesign.pump.play.axis import AxisLimits, FinalAxisState, Sample
 from viscodesign.pump.play.guard import Guard, Stop
 from viscodesign.pump.play.path import ROUNDING, led_in, way_back
@@ -28,6 +29,9 @@ from viscodesign.pump.profile import Profile
 MAX_LAG = 3.0  # how far a stream may fall behind its profile for longer than a moment [ticks]
 SECOND_REQUEST_TIME = 3.0
 """After a held stop request, how long a second one is waited for, which releases the pump [s]."""
+SECOND_REQUEST_HINT = (
+    f"held; Ctrl-C again within {SECOND_REQUEST_TIME:g} s releases the pump (no torque, or vented)"
+)
 
 
 @dataclass
@@ -47,6 +51,8 @@ class Stream:
     on_stop: OnStop = "hold"
     max_lag: float = MAX_LAG
     """The stream stops where it stays farther behind its profile than this [ticks]."""
+    tell: Tell = ignore
+    """Is given what a second request would do, while the pump is held after a first one."""
 
     def __post_init__(self) -> None:
         self.result = StreamResult()
@@ -113,7 +119,7 @@ class Stream:
             elif self.on_stop == "hold" and result.rule == "pressure_cap":
                 result.standing = self._retreat(self.pump.limits.max_pressure)
         if result.status == "interrupted" and self.on_stop != "release" and self.pump.armed:
-            wait_for_second_request(self.request, self.pump.clock)
+            wait_for_second_request(self.request, self.pump.clock, self.tell)
         if self.on_stop == "release" or self.request.urgent:
             result.standing = self.pump.release()
 
@@ -133,8 +139,10 @@ class Stream:
         return pump.hold()
 
 
-def wait_for_second_request(request: StopRequest, clock: Clock) -> None:
-    """Give the user time to ask again, which releases a held pump."""
+def wait_for_second_request(request: StopRequest, clock: Clock, tell: Tell) -> None:
+    """Give the user time to ask again, which releases a held pump; ``tell`` says so."""
+    if request.first == "SIGINT" and not request.urgent:
+        tell(SECOND_REQUEST_HINT)
     end = clock.now() + SECOND_REQUEST_TIME
     while not request.urgent and clock.now() < end:
         clock.sleep(SLICE)

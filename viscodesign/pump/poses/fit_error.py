@@ -58,7 +58,7 @@ class Tolerance(NamedTuple):
                 if value > 0.0 and not text.strip()[-1].isdigit():
                     return cls(text, quantity, value)
         raise UsageError(
-            f"--tolerance {text!r}: expected a pressure, a volume or counts above zero, with the "
+            f"tolerance {text!r}: expected a pressure, a volume or counts above zero, with the "
             "unit: '1 kPa', '0.1 mL' or '2 counts'"
         )
 
@@ -69,7 +69,7 @@ class Tolerance(NamedTuple):
         moves, poses = len(fit.sequence.moves), len(fit.sequence.poses)
         raise PumpError(
             f"the best fit with {MAX_MOVES} moves and {MAX_POSES} poses is off by {error} (it "
-            f"uses {moves} and {poses}); --tolerance is {self.text}. {_remedy(fit)}"
+            f"uses {moves} and {poses}); the tolerance is {self.text}. {_remedy(fit)}"
         )
 
 
@@ -93,7 +93,7 @@ def _remedy(fit: PoseFit) -> str:
         return (
             f"The profile ends {gap:.1f} counts from where it begins, so it cannot be looped: "
             "make run.duration whole cycles of the input, and long enough for the pressures "
-            "inside to settle; or leave --loop out"
+            "inside to settle; or do not loop it"
         )
-    shorter = "slow the input down" if fit.looped else "--loop one cycle of it, slow it down"
-    return f"`pump stream` has no such limits; or {shorter}, or allow more with --tolerance"
+    shorter = "slow the input down" if fit.looped else "loop one cycle of it, slow it down"
+    return f"`pump stream` has no such limits; or {shorter}, or allow a larger tolerance"

@@ -131,8 +131,9 @@ class PosePlayer:
         """Torque on, then from where the plungers are to the lead's end, under all safety rules."""
         rested = _resampled(lead, np.append(lead.time, lead.duration + LEAD_SETTLE))
         return Stream(
-            self.pump, rested, self.request, see, rate=LEAD_RATE, lead=lead.duration
-        ).play()
+            self.pump, rested, self.request, see,
+            rate=LEAD_RATE, lead=lead.duration, tell=self.tell,
+        ).play()  # fmt: skip
 
     def play(self) -> StreamResult:
         """Play once, or loop until a request to stop; however this ends, nothing plays then.
@@ -202,7 +203,7 @@ class PosePlayer:
             return [FinalAxisState(servo, False, words, NOUN) for servo in self.pump.axes]
         left = [] if self.request.urgent else self.pump.hold()
         if self.request.asked:
-            wait_for_second_request(self.request, self.pump.clock)
+            wait_for_second_request(self.request, self.pump.clock, self.tell)
         return self.pump.release() if self.request.urgent else left
 
     def _halted(self) -> bool:

@@ -36,6 +36,6 @@ def _level(board: Controller, pin: str) -> bool:
     if level is None:
         raise PumpError(
             f"board {board.name} has no pins, so the limit switch on {pin} cannot be read; "
-            "use --board arbotix-ros, or leave out pump.limit_switches"
+            "use the board arbotix-ros, or leave out pump.limit_switches"
         )
     return level

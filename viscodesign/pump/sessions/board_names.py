@@ -52,7 +52,7 @@ def board_kind(name: str) -> type[Controller]:
     every = boards()
     if name not in every:
         hint = did_you_mean(name, every) or "."
-        raise UsageError(f"--board {name}: no such board{hint} There are: {', '.join(every)}")
+        raise UsageError(f"board {name}: no such board{hint} There are: {', '.join(every)}")
     return every[name]
 
 
@@ -68,7 +68,7 @@ def kind_behind(name: str, scene: Scene | None) -> PumpKind:
     if name not in boards_of(kind):
         able = " or ".join(boards_of(kind))
         raise UsageError(
-            f"--board {name} does not drive a pump of kind {kind.name}, as the spec has it "
-            f"(pump.kind); use --board {able}"
+            f"the board {name} does not drive a pump of kind {kind.name}, as the spec has it "
+            f"(pump.kind); use the board {able}"
         )
     return kind

@@ -5,11 +5,13 @@ from __future__ import annotations
 from viscodesign.errors import UsageError
 from viscodesign.pump.consent import Confirm, ShowPosition, Tell, ignore
 from viscodesign.pump.kinds.base import Calibration, CalibrationRequest
+from viscodesign.pump.sessions.arguments import typed
 from viscodesign.pump.sessions.board_names import kind_of
 from viscodesign.pump.sessions.connection import BoardAddress, connected
 from viscodesign.scene.scene import Scene
 
 
+@typed
 def calibrate(
     scene: Scene,
     address: BoardAddress,
@@ -33,9 +35,7 @@ def calibrate(
     request = CalibrationRequest(confirm, by_hand, vented, keep, rename, tell)
     kind = kind_of(scene)
     if (reason := kind.not_calibrated) or address.simulated:
-        raise UsageError(
-            reason or "--board simulated: a simulated pump is calibrated as its spec says"
-        )
+        raise UsageError(reason or "a simulated pump is calibrated as its spec says")
     with connected(address, scene, tell=tell) as link:
         found = kind.calibrate(link, request)
         link.log.event("calibrated", home_counts=found.home, travel_counts=found.travel)

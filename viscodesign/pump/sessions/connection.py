@@ -31,7 +31,7 @@ class BoardAddress:
     """Serial port, such as /dev/ttyUSB0; none for a simulated board."""
     baud: int | None = None
     """Bits per second; by default the board's own."""
-    pace: str = "1"
+    pace: str | float = "1"
     """Speed of a simulated board's time: 1 is real time, "max" runs without waiting."""
     log: Path | None = None
     """Where every byte is kept, as JSON lines."""
@@ -56,8 +56,8 @@ class BoardAddress:
         """Real time; for a simulated board, time at the requested pace."""
         if self.simulated:
             return SteppedClock() if self.pace == "max" else PacedClock(_factor(self.pace))
-        if self.pace != "1":
-            raise UsageError(f"--pace {self.pace}: only the simulated board's time can be changed")
+        if _factor(self.pace) != 1.0:
+            raise UsageError(f"pace {self.pace}: only the simulated board's time can be changed")
         return WallClock()
 
     def require_consent(self, confirm: Confirm | None, text: str) -> None:
@@ -74,11 +74,11 @@ class BoardAddress:
             require(confirm, text)
 
 
-def _factor(text: str) -> float:
-    with contextlib.suppress(ValueError):
-        if 0.0 < (factor := float(text)) < float("inf"):
+def _factor(pace: str | float) -> float:
+    with contextlib.suppress(TypeError, ValueError):
+        if 0.0 < (factor := float(pace)) < float("inf"):
             return factor
-    raise UsageError(f"--pace {text}: expected a factor above 0, such as 10, or max")
+    raise UsageError(f"pace {pace}: expected a factor above 0, such as 10, or max")
 
 
 SIMULATED = BoardAddress()
@@ -145,11 +145,11 @@ def refuse_port(address: BoardAddress) -> None:
     """Refuse a port or baud rate that the board does not have, and a port left out."""
     kind, port, baud = board_kind(address.board), address.port, address.baud
     if kind.simulated and (port is not None or baud is not None):
-        raise UsageError("--board simulated has no --port and no --baud: nothing real moves")
+        raise UsageError("the simulated board has no port and no baud rate: nothing real moves")
     if not kind.simulated and port is None:
         raise UsageError(
-            f"--board {kind.name} needs --port, such as /dev/ttyUSB0; "
+            f"the board {kind.name} needs a port, such as /dev/ttyUSB0 (--port); "
             "`viscodesign pump ports` lists those there are"
         )
     if baud is not None and baud <= 0:
-        raise UsageError(f"--baud must be above 0, such as {kind.baud}; got {baud}")
+        raise UsageError(f"baud rate must be above 0, such as {kind.baud}; got {baud}")

@@ -9,6 +9,7 @@ from viscodesign.pump.bus.byte_log import SentBytes
 from viscodesign.pump.consent import ignore
 from viscodesign.pump.play.stream_result import OnStop
 from viscodesign.pump.profile import Playback
+from viscodesign.pump.sessions.arguments import typed
 from viscodesign.pump.sessions.board_names import board_kind
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.reports import result_lines
@@ -35,6 +36,7 @@ class Rehearsal:
     """Everything that would be sent, reads included."""
 
 
+@typed
 def rehearse(
     scene: Scene,
     address: BoardAddress = SIMULATED,

@@ -16,14 +16,16 @@ from viscodesign.pump.kinds.connection import Connection
 from viscodesign.pump.play.axis import FinalAxisState, FoundAxis, Sample
 from viscodesign.pump.play.pump import Pressed, Pump
 from viscodesign.pump.play.ticks import Ticks
+from viscodesign.pump.sessions.arguments import typed
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.record_file import recorded
+from viscodesign.pump.sessions.record_folder import refuse_measured
 from viscodesign.scene.scene import Scene
 
 HIGHEST_RATE_HZ = 100.0
 NO_REPLY = (
     "no {noun} answers, so nothing could be verified. If the pump moves, switch its power off. "
-    "Is this the right --board and --baud?"
+    "Is this the right board and baud rate?"
 )
 
 
@@ -63,6 +65,7 @@ class PumpStatus:
         }
 
 
+@typed
 def status(
     address: BoardAddress = SIMULATED, scene: Scene | None = None, *, tell: Tell = ignore
 ) -> PumpStatus:
@@ -110,6 +113,7 @@ class RecordReport:
             raise InterruptedRunError(f"interrupted; what was read so far is in {self.file}")
 
 
+@typed
 def record(
     path: str | Path,
     address: BoardAddress = SIMULATED,
@@ -117,6 +121,7 @@ def record(
     *,
     rate: float = 30.0,
     duration: float | None = None,
+    force: bool = False,
     stop: StopRequest | None = None,
     tell: Tell = ignore,
 ) -> RecordReport:
@@ -125,9 +130,11 @@ def record(
     The columns are those of `stream`. ``scene`` names axes and sensors; without one all axes
     that answer are recorded, and no pressure. ``rate`` [Hz]; ``duration`` [s], by default until
     Ctrl-C or a request to ``stop``. Beside the table stands a JSON document of the same name.
+    ``force`` replaces a record of a real pump, which is refused otherwise.
     """
     path = Path(path)
     _refuse_options(path, address, rate, duration)
+    refuse_measured(path, force=force)
     with connected(address, scene, tell=tell) as link:
         facts: dict[str, Any] = {
             "board": address.board,
@@ -166,15 +173,18 @@ def _heard(pump: Pump) -> Sample:
 
 def _refuse_options(path: Path, address: BoardAddress, rate: float, duration: float | None) -> None:
     if not 0.0 < rate <= HIGHEST_RATE_HZ:
-        raise UsageError(f"--rate must be above 0 and at most {HIGHEST_RATE_HZ:g} Hz; got {rate:g}")
+        raise UsageError(f"rate must be above 0 and at most {HIGHEST_RATE_HZ:g} Hz; got {rate:g}")
     if duration is not None and not 0.0 < duration < math.inf:
-        raise UsageError(f"--duration must be above 0 s and finite; got {duration:g}")
+        raise UsageError(f"duration must be above 0 s and finite; got {duration:g}")
     if path.suffix == ".json":
         raise UsageError(f"{path}: its JSON would have the same name; call the table .csv")
     if address.pace == "max" and duration is None:
-        raise UsageError("--pace max needs --duration: without one it would fill the disk")
+        raise UsageError(
+            "pace max needs a duration (--duration): without one it would fill the disk"
+        )
 
 
+@typed
 def stop(
     address: BoardAddress,
     *,

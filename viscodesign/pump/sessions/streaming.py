@@ -22,19 +22,20 @@ from viscodesign.pump.play.pump import Pump
 from viscodesign.pump.play.stream import Stream
 from viscodesign.pump.play.stream_result import OnStop, TickReport
 from viscodesign.pump.sessions import reports
+from viscodesign.pump.sessions.arguments import typed
 from viscodesign.pump.sessions.board_names import board_kind, boards_of, kind_behind
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected, refuse_port
 from viscodesign.pump.sessions.record_file import Record, recorded
+from viscodesign.pump.sessions.record_folder import TABLE, attempt, refuse_measured
 from viscodesign.pump.sessions.reports import PlaybackReport
 from viscodesign.results.channels import TIP_COLUMNS
 from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
-from viscodesign.storage.atomic_files import write_errors_as_usage
 
-"""Columns of the simulated actuator's tip, under the simulator's names."""
 OnTick = Callable[[TickReport], None]
 
 
+@typed
 def stream(
     scene: Scene,
     folder: str | Path,
@@ -44,6 +45,7 @@ def stream(
     on_stop: OnStop = "hold",
     achievable: bool = False,
     without_sensor: bool = False,
+    force: bool = False,
     confirm: Confirm | None = None,
     tell: Tell = ignore,
     on_tick: OnTick | None = None,
@@ -55,12 +57,15 @@ def stream(
     Writes `record.csv`, `record.json` and `log.jsonl` to ``folder``. ``rate`` [Hz]; ``on_stop``
     is what the plunger does at any end. ``achievable`` plays what the pump can do where it
     cannot do all of it; ``without_sensor`` moves inlets whose pressure is not measured.
+    ``force`` replaces a record of a real pump in the folder, which is refused otherwise; one of
+    the simulated board is always replaced.
     ``confirm`` is given the plan before anything moves and has to return True (a simulated
     board needs none); ``on_tick`` is given every tick, and an exception that it raises ends the
     stream in a hold; ``stop`` may be asked from another thread, as Ctrl-C is. A stream that a
     rule or a request ended is a report with that status, not an exception; what does not begin
     raises `UsageError`, `SpecError` or `PumpError`.
     """
+    refuse_measured(Path(folder) / TABLE, force=force)
     session = StreamSession(scene, address, rate, on_stop, achievable, without_sensor, progress)
     return session.perform(Path(folder), confirm=confirm, tell=tell, on_tick=on_tick, stop=stop)
 
@@ -115,16 +120,22 @@ class StreamSession:
         *,
         confirm: Confirm | None = None,
         tell: Tell = ignore,
+        hint: Tell | None = None,
         on_tick: OnTick | None = None,
         stop: StopRequest | None = None,
     ) -> PlaybackReport:
-        """Connect, show, ask, stream, come to rest; raises `PumpError` where it does not begin."""
-        with write_errors_as_usage(folder):
-            folder.mkdir(parents=True, exist_ok=True)
-        address = replace(self.address, log=self.address.log or folder / "log.jsonl")
+        """Connect, show, ask, stream, come to rest; raises `PumpError` where it does not begin.
+
+        ``hint`` is given what the user may do next while the pump is held; by default ``tell``.
+        """
+        address = self.address
         plant = ActuatorPlant(self.scene) if address.simulated else None
         tip = {} if plant is None else {name: _tip(plant, k) for k, name in enumerate(TIP_COLUMNS)}
-        with connected(address, self.scene, plant, tell) as link, link.gauges() as gauges:
+        with (
+            attempt(folder, address.log) as begun,
+            connected(replace(address, log=begun.log), self.scene, plant, tell) as link,
+            link.gauges() as gauges,
+        ):
             pump = link.connected_pump(gauges, switches=True)
             unit, limits = pump.limits.unit, pump.limits
             calibration = {f"home_{unit}": limits.home, f"travel_{unit}": list(limits.travel)}
@@ -136,22 +147,26 @@ class StreamSession:
                 "simulated": address.simulated,
                 "name": self.scene.name,
                 "spec_sha256": self.plan.spec_sha256,
+                "resolved_sha256": self.plan.resolved_sha256,
                 "ambient_pressure_pa_abs": self.scene.ambient_pressure,
                 "calibration": calibration,
             }
-            channels, path = self.kind.channels(self.settings), folder / "record.csv"
+            channels, path = self.kind.channels(self.settings), folder / TABLE
             with (
                 stop_on_signals(stop) as request,
                 recorded(path, self.plan.inlets, facts, channels, tip) as record,
             ):
-                return self._stream(pump, request, record, link.log, tell, on_tick)
+                begun.recording = True
+                return self._stream(pump, request, record, link.log, tell, hint or tell, on_tick)
 
-    def stream_on(self, pump: Pump, request: StopRequest, on_tick: OnTick) -> Stream:
+    def stream_on(
+        self, pump: Pump, request: StopRequest, on_tick: OnTick, hint: Tell = ignore
+    ) -> Stream:
         """The stream of this session, not begun."""
         course = self.plan.achievable
         return Stream(
             pump, self.plan.profile(course), request, on_tick,
-            rate=self.rate, lead=course.lead_s, on_stop=self.on_stop,
+            rate=self.rate, lead=course.lead_s, on_stop=self.on_stop, tell=hint,
         )  # fmt: skip
 
     def _connect(self, pump: Pump) -> list[str]:
@@ -178,6 +193,7 @@ class StreamSession:
         record: Record,
         log: ByteLog,
         tell: Tell,
+        hint: Tell,
         on_tick: OnTick | None,
     ) -> PlaybackReport:
         unit = pump.limits.unit
@@ -194,7 +210,7 @@ class StreamSession:
             if on_tick is not None:
                 on_tick(tick)
 
-        stream = self.stream_on(pump, request, observe)
+        stream = self.stream_on(pump, request, observe, hint)
         facts: dict[str, Any] = {}
         try:
             stream.play()
@@ -216,14 +232,14 @@ def _refuse_options(kind: PumpKind, address: BoardAddress, rate: float, on_stop:
     if not board_kind(address.board).streams:
         able = ", ".join(name for name, board in boards_of(kind).items() if board.streams)
         raise UsageError(
-            f"--board {address.board} takes no set-points in real time; those that do: {able}. "
+            f"the board {address.board} takes no set-points in real time; those that do: {able}. "
             "`pump upload` gives it a whole profile"
         )
     low, high = link_rate.LOWEST_RATE, link_rate.HIGHEST_RATE
     if not low <= rate <= high:
-        raise UsageError(f"--rate must be {low:g} to {high:g} Hz; got {rate:g}")
+        raise UsageError(f"rate must be {low:g} to {high:g} Hz; got {rate:g}")
     if on_stop not in get_args(OnStop):
-        raise UsageError(f"--on-stop {not_among(on_stop, get_args(OnStop))}")
+        raise UsageError(f"on_stop (--on-stop) {not_among(on_stop, get_args(OnStop))}")
     address.clock()
 
 

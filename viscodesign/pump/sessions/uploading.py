@@ -12,6 +12,7 @@ from viscodesign.pump.planning.plan import plan as plan_pump
 from viscodesign.pump.planning.simulated_actuator import ActuatorPlant
 from viscodesign.pump.profile import Playback
 from viscodesign.pump.sessions import reports
+from viscodesign.pump.sessions.arguments import typed
 from viscodesign.pump.sessions.board_names import board_kind, boards, kind_of
 from viscodesign.pump.sessions.connection import SIMULATED, BoardAddress, connected
 from viscodesign.pump.sessions.reports import PlaybackReport
@@ -19,6 +20,7 @@ from viscodesign.scene.scene import Scene
 from viscodesign.simulation.solve_once import Progress
 
 
+@typed
 def upload(
     scene: Scene,
     address: BoardAddress = SIMULATED,
@@ -51,7 +53,7 @@ def refuse_board(name: str, scene: Scene) -> None:
     if not (board.simulated or board.plays_poses):
         able = ", ".join(name for name, kind in boards().items() if kind.plays_poses)
         raise UsageError(
-            f"--board {name} takes no poses; those go to --board {able}. "
+            f"the board {name} takes no poses; those go to {able}. "
             "`pump stream` sends this one set-points in real time"
         )
 

@@ -44,7 +44,9 @@ def board(device: Device) -> Arbotix:
 
 
 def test_the_ros_firmware_is_told_from_this_one() -> None:
-    with pytest.raises(PumpError, match="runs the ROS firmware, not PyPose's; use --board arbotix"):
+    with pytest.raises(
+        PumpError, match="runs the ROS firmware, not PyPose's; use the board arbotix"
+    ):
         board(Ros(bench(1))).identify()
 
 

@@ -44,7 +44,7 @@ def test_the_error_is_the_largest_of_all_plungers(fit: PoseFit) -> None:
     ],
 )
 def test_tolerances_are_read_with_their_units(text: str, allows: bool, fit: PoseFit) -> None:
-    with nullcontext() if allows else pytest.raises(PumpError, match=f"--tolerance is {text}"):
+    with nullcontext() if allows else pytest.raises(PumpError, match=f"the tolerance is {text}"):
         Tolerance.of(text).refuse(fit, ERROR)
 
 
@@ -60,7 +60,11 @@ def test_a_coarse_fit_is_refused_with_a_remedy(fit: PoseFit) -> None:
     Tolerance.of("1 kPa").refuse(fit, ERROR)
     with pytest.raises(PumpError) as told:
         Tolerance.of("0.1 kPa").refuse(fit, ERROR)
-    for words in ("2.00 counts, 0.145 mL, up to 0.8 kPa", "--tolerance is 0.1 kPa", "pump stream"):
+    for words in (
+        "2.00 counts, 0.145 mL, up to 0.8 kPa",
+        "the tolerance is 0.1 kPa",
+        "pump stream",
+    ):
         assert words in str(told.value)
 
 

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from tests.plans import planned_once
 from tests.scenes import leg
 from viscodesign import pump
-from viscodesign.errors import UsageError
+from viscodesign.errors import PumpError, UsageError
 from viscodesign.pump.play.stream_result import TickReport
 
 SESSIONS = (
     "plan", "stream", "upload", "record", "rehearse", "calibrate", "status", "stop", "ports",
 )  # fmt: skip
+SHORT = ("input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}", "run={duration: 2 s}")
 
 
 def test_every_session_is_a_documented_function() -> None:
@@ -62,11 +65,52 @@ def test_a_stream_is_stopped_from_the_program(tmp_path: Path) -> None:
     assert report.document()["hold_verified"]
 
 
+@pytest.mark.parametrize(
+    ("address", "confirm", "error"),
+    [
+        (pump.BoardAddress(pace="max"), lambda text: False, UsageError),
+        (pump.BoardAddress("dynamixel", "/dev/there-is-none"), lambda text: True, PumpError),
+    ],
+)
+def test_a_stream_that_does_not_begin_leaves_no_folder(
+    address: pump.BoardAddress,
+    confirm: Callable[[str], bool],
+    error: type[Exception],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("viscodesign.pump.sessions.streaming.plan_pump", planned_once)
+    scene = leg(*SHORT, config="leg_16_pump")
+    with pytest.raises(error):
+        pump.stream(scene, tmp_path / "runs" / "leg", address, confirm=confirm)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_refused_stream_leaves_an_earlier_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("viscodesign.pump.sessions.streaming.plan_pump", planned_once)
+    (tmp_path / "log.jsonl").write_text("{}\n")
+    board = pump.BoardAddress(pace="max")
+    with pytest.raises(UsageError, match="nothing moved"):
+        pump.stream(leg(*SHORT, config="leg_16_pump"), tmp_path, board, confirm=lambda text: False)
+    assert (tmp_path / "log.jsonl").read_text().startswith("{}\n")
+
+
+def test_a_recording_of_a_real_pump_is_not_replaced(tmp_path: Path) -> None:
+    table, board = tmp_path / "rest.csv", pump.BoardAddress(pace="max")
+    table.write_text("time_s\n0.0\n")
+    with pytest.raises(UsageError, match=r"rest\.csv exists and may hold what a real pump"):
+        pump.record(table, board, duration=0.1)
+    assert table.read_text() == "time_s\n0.0\n"
+    assert pump.record(table, board, duration=0.1, force=True).rows > 1
+    assert pump.record(table, board, duration=0.1).rows > 1  # a simulated one is
+
+
 def test_a_rehearsal_says_what_would_be_sent_and_prints_nothing(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    words = ("input={kind: sine, amplitude: 4 kPa, frequency: 0.5 Hz}", "run={duration: 2 s}")
-    scene = leg(*words, config="leg_16_pump")
+    scene = leg(*SHORT, config="leg_16_pump")
     stream = pump.rehearse(scene, pump.BoardAddress("dynamixel"))
     poses = pump.rehearse(scene, pump.BoardAddress("arbotix"), playback="loop")
     assert stream.text.startswith("[dry run] no port is opened")

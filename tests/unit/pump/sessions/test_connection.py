@@ -32,10 +32,10 @@ def test_the_simulated_board_opens_without_a_port() -> None:
     ("name", "port", "baud", "words"),
     [
         ("dynamixl", None, None, "did you mean 'dynamixel'"),
-        ("dynamixel", None, None, "needs --port"),
-        ("simulated", "/dev/ttyUSB0", None, "has no --port"),
-        ("simulated", None, 9600, "no --baud"),
-        ("dynamixel", "/dev/ttyUSB0", 0, "--baud must be above 0"),
+        ("dynamixel", None, None, "needs a port"),
+        ("simulated", "/dev/ttyUSB0", None, "has no port"),
+        ("simulated", None, 9600, "no baud rate"),
+        ("dynamixel", "/dev/ttyUSB0", 0, "baud rate must be above 0"),
     ],
 )
 def test_missing_and_superfluous_options_are_refused(

@@ -22,7 +22,7 @@ REMEDIES = {
     "it, and cycle the power",
     ErrorBits.OVERHEAT: "Let it cool down",
     ErrorBits.VOLTAGE: "Check the supply voltage and charge the battery",
-    ErrorBits(0xFF): "See the log of bytes (--log FILE)",
+    ErrorBits(0xFF): "See the log of bytes (--log FILE; log=... of the address in Python)",
 }
 
 
@@ -245,5 +245,5 @@ def _nothing(packet: Packet, came: bytes, tries: int) -> str:
     times = "once" if tries == 1 else f"{tries} times"
     return (
         f"{asked}, sent {times}; received {packets.shown(came)}. Is the power on, the id right "
-        "(`pump status`), and this the right --board and --baud?"
+        "(`pump status`), and this the right board and baud rate?"
     )
