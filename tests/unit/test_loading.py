@@ -208,6 +208,6 @@ def test_pydantic_reads_its_own_dump() -> None:
 @pytest.mark.parametrize("given", ["leg.yaml", {"name": "leg"}, None])
 def test_what_is_no_scene_is_refused_with_what_makes_one(use: Any, given: Any) -> None:
     with pytest.raises(
-        ViscodesignError, match=r"expected a scene, such as load\('leg.yaml'\) gives"
+        ViscodesignError, match=r"expected a scene, such as load\('leg.yaml'\) returns"
     ):
         use(given)

@@ -304,7 +304,7 @@ def test_where_its_steps_stop_another_solver_goes_on() -> None:
 
 def test_a_start_without_unknowns_is_told() -> None:
     function = compile(collapsing(0.1), ["bellows.collapse_fraction"], TIP)
-    with pytest.raises(SolveError, match="no pressures and forces belong to the state"):
+    with pytest.raises(SolveError, match="no pressures and forces are consistent with the state"):
         function([0.0])
     assert "no pressures" in function.batch([[0.1], [0.0]]).status[1]
 
