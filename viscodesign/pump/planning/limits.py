@@ -23,7 +23,7 @@ class LimitMargins:
     sensor_floor: float = 20e3  # the Phidgets 1140 reads no lower [Pa abs]
     sensor_accuracy: float = 6e3  # swing that its 1.5 % of full scale, 5.7 kPa, would hide [Pa]
     sensor_step: float = 1.61e3  # its reading at 8 bit, as the firmware for ROS takes it [Pa]
-    fewest_steps: float = 5.0  # smallest motion
+    min_steps: float = 5.0  # smallest motion
     fine_steps: float = 20.0  # steps per swing of pressure, below which it is coarse
     flat: float = 1.0  # swing of pressure below which nothing is asked [Pa]
 

@@ -28,7 +28,7 @@ class PlanGrid:
     samples_per_swing: int = 40
     finest: float = 0.005  # [s]
     coarsest: float = 0.02  # [s]; more only where there would be too many samples
-    most_samples: int = 4000
+    max_samples: int = 4000
     jump_width: float = 1e-6  # share of a run around a corner at which values are compared
     jump_swing: float = 0.01  # smallest share of the whole swing that is a jump
 
@@ -54,7 +54,7 @@ def _times(scene: Scene) -> np.ndarray:
     duration = scene.run.duration
     swing = min(source.swing_time_within(duration) for source in scene.inputs.values())
     asked = min(GRID.coarsest, max(swing / GRID.samples_per_swing, GRID.finest))
-    count = int(np.clip(np.ceil(duration / asked), 8, GRID.most_samples))
+    count = int(np.clip(np.ceil(duration / asked), 8, GRID.max_samples))
     corners = [c for source in scene.inputs.values() for c in source.corners(duration)]
     times = np.unique(np.concatenate([np.linspace(0.0, duration, count + 1), corners]))
     keep = np.append(np.diff(times) > 1e-3 * duration / count, True)

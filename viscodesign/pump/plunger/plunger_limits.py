@@ -124,10 +124,10 @@ def cap_stall(demand: PlungerDemand) -> Assessment:
 def resolution(demand: PlungerDemand) -> Assessment:
     """Steps of the motion against the drive's own and its play."""
     swing, play, unit = float(np.ptp(demand.steps)), demand.drive.play, demand.axis.unit
-    allowed = MARGINS.fewest_steps + play
+    allowed = MARGINS.min_steps + play
     message = (
         f"the motion spans {swing:.3g} {unit} of {1e6 * demand.drive.volume_per_step:.3g} mL; "
-        f"at least {MARGINS.fewest_steps:g} are needed, and the gear loses {play:g}"
+        f"at least {MARGINS.min_steps:g} are needed, and the gear loses {play:g}"
     )
     flat = float(np.ptp(demand.pressure)) < MARGINS.flat
     ratio = 0.0 if flat else allowed / max(swing, 1e-9)

@@ -40,7 +40,7 @@ class FitNumbers:
     """Between successive margins."""
     margins: int = 197
     """How many there are; the last is wider than all counts."""
-    most_frames: int = 10_000
+    max_frames: int = 10_000
     """Longest profile [frames]: searching one of a minute takes about as long."""
 
 
@@ -104,10 +104,10 @@ def fit_poses(
     ``progress`` is given the part that is done, roughly.
     """
     exact = profile.duration / FRAME
-    if exact > FIT.most_frames:
+    if exact > FIT.max_frames:
         raise PumpError(
             f"the profile lasts {profile.duration:.6g} s; poses are fitted to at most "
-            f"{FIT.most_frames * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
+            f"{FIT.max_frames * FRAME:.0f} s. Loop one cycle of it, or use `pump stream`"
         )
     frames = max(round(exact) if loop else int(np.ceil(exact - 1e-9)), 2 * FIRST_FRAMES)
     pace = profile.duration / (frames * FRAME) if loop else 1.0
