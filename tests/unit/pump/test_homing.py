@@ -78,3 +78,20 @@ def test_a_wish_to_stop_is_obeyed_and_the_plunger_held() -> None:
     before = bed.servo.position
     bed.clock.sleep(2.0)
     assert bed.servo.position == pytest.approx(before, abs=3)
+
+
+def test_a_port_that_dies_while_it_is_armed_is_told_as_such() -> None:
+    for moment in range(12):
+        bed = Bed()
+        line, sent = bed.pump.board.line, []
+        write = line.write
+
+        def dying(data: bytes, write: Any = write, sent: Any = sent, moment: int = moment) -> None:
+            sent.append(data)
+            if len(sent) > moment:
+                raise PumpError("the port is gone")
+            write(data)
+
+        line.write = dying
+        with pytest.raises(PumpError, match="the port is gone"):
+            find_travel(bed.pump, lambda: False)

@@ -75,7 +75,8 @@ class ServoPump(Pump):
         surely = functools.partial(self.board.set, read_back=True)
         for servo in self.axes:
             state = self._healthy(servo)
-            position = state.position
+            # At once: where arming fails from here on, a hold needs to know it.
+            position = self.positions[servo] = state.position
             # A servo that strained against this very limit may shut itself off just now, and a
             # write would give it its torque back.
             if state.torque_limit != limit:
