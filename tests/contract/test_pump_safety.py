@@ -23,6 +23,7 @@ from viscodesign.pump.ax.servo_pump import APPROACH_SPEED
 from viscodesign.pump.ax.torque_limit import NOTABLE, torque_limit
 from viscodesign.pump.play.path import led_in
 from viscodesign.pump.play.safety_rules import LOST
+from viscodesign.pump.play.stream import SECOND_REQUEST_TIME, Stream
 from viscodesign.pump.profile import Profile
 from viscodesign.pump.sensors.pressure_sensors import SensorError
 from viscodesign.pump.simulated.device import UnpluggedError
@@ -439,6 +440,35 @@ def test_a_second_wish_drops_the_torque() -> None:
         assert ending.status == "interrupted"
         assert "torque is off, verified" in ending.standing[0].words
         assert not rig.bench.servos[0].get(registers.TORQUE_ENABLE)
+
+
+def test_a_second_wish_drops_the_torque_though_nobody_could_be_told_of_it() -> None:
+    rig = Rig()
+
+    def broken(text: str) -> None:
+        rig.request.note(2, None)
+        raise RuntimeError("the window is closed")
+
+    streamed(rig, at(40, lambda: rig.request.note(2, None)))
+    stream = Stream(rig.pump, rig.profile(), rig.request, rig.see, rate=RATE, tell=broken)
+    with pytest.raises(RuntimeError, match="window"):
+        stream.play()
+    assert "torque is off, verified" in stream.result.standing[0].words
+    assert not rig.bench.servos[0].get(registers.TORQUE_ENABLE)
+
+
+def test_a_second_wish_is_waited_for_though_nobody_could_be_told_of_it() -> None:
+    rig = Rig()
+
+    def broken(text: str) -> None:
+        raise RuntimeError("the window is closed")
+
+    streamed(rig, at(40, lambda: rig.request.note(2, None)))
+    stream = Stream(rig.pump, rig.profile(), rig.request, rig.see, rate=RATE, tell=broken)
+    with pytest.raises(RuntimeError, match="window"):
+        stream.play()
+    assert stream.result.verified
+    assert rig.clock.now() - rig.rows[-1].sample.time > SECOND_REQUEST_TIME
 
 
 @pytest.mark.parametrize("error", [RuntimeError("a bug"), KeyboardInterrupt(), OSError("disk")])

@@ -118,10 +118,12 @@ class Stream:
                 result.standing = self._retreat()
             elif self.on_stop == "hold" and result.rule == "pressure_cap":
                 result.standing = self._retreat(self.pump.limits.max_pressure)
-        if result.status == "interrupted" and self.on_stop != "release" and self.pump.armed:
-            wait_for_second_request(self.request, self.pump.clock, self.tell)
-        if self.on_stop == "release" or self.request.urgent:
-            result.standing = self.pump.release()
+        try:
+            if result.status == "interrupted" and self.on_stop != "release" and self.pump.armed:
+                wait_for_second_request(self.request, self.pump.clock, self.tell)
+        finally:
+            if self.on_stop == "release" or self.request.urgent:
+                result.standing = self.pump.release()
 
     def _retreat(self, relief: float | None = None) -> list[FinalAxisState]:
         """Draw the pump back slowly, under all rules that still apply.
@@ -140,9 +142,14 @@ class Stream:
 
 
 def wait_for_second_request(request: StopRequest, clock: Clock, tell: Tell) -> None:
-    """Give the user time to ask again, which releases a held pump; ``tell`` says so."""
-    if request.first == "SIGINT" and not request.urgent:
-        tell(SECOND_REQUEST_HINT)
+    """Give the user time to ask again, which releases a held pump; ``tell`` says so.
+
+    An exception that ``tell`` raises comes when the time is over: the user may ask all the same.
+    """
     end = clock.now() + SECOND_REQUEST_TIME
-    while not request.urgent and clock.now() < end:
-        clock.sleep(SLICE)
+    try:
+        if request.first == "SIGINT" and not request.urgent:
+            tell(SECOND_REQUEST_HINT)
+    finally:
+        while not request.urgent and clock.now() < end:
+            clock.sleep(SLICE)

@@ -202,9 +202,13 @@ class PosePlayer:
             words = "the board is still playing or not responding; switch its power off"
             return [FinalAxisState(servo, False, words, NOUN) for servo in self.pump.axes]
         left = [] if self.request.urgent else self.pump.hold()
-        if self.request.asked:
-            wait_for_second_request(self.request, self.pump.clock, self.tell)
-        return self.pump.release() if self.request.urgent else left
+        try:
+            if self.request.asked:
+                wait_for_second_request(self.request, self.pump.clock, self.tell)
+        finally:
+            if self.request.urgent:
+                left = self.pump.release()
+        return left
 
     def _halted(self) -> bool:
         """Halt; repeated, since a halt may be lost on the way, and never anything before it."""

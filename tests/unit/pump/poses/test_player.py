@@ -105,6 +105,21 @@ def test_a_second_wish_to_stop_drops_the_torque_once_it_is_halted() -> None:
     assert "torque is off" in ending.standing[0].words
 
 
+def test_a_second_request_drops_the_torque_though_nobody_could_be_told_of_it() -> None:
+    rig = PoseRig(loop=True)
+    rig.stop_at = 1.0
+
+    def broken(text: str) -> None:
+        if "again" in text:
+            rig.wish.times = 2
+            raise RuntimeError("the window is closed")
+
+    rig.player.tell = broken
+    with pytest.raises(RuntimeError, match="window"):
+        rig.play()
+    assert not rig.bench.servos[0].get(registers.TORQUE_ENABLE)
+
+
 def test_a_second_request_long_after_the_halt_drops_the_torque() -> None:
     rig = PoseRig(loop=True)
     rig.stop_at = 1.0
