@@ -212,13 +212,18 @@ class PosePlayer:
 
     def _halted(self) -> bool:
         """Halt; repeated, since a halt may be lost on the way, and never anything before it."""
-        self.tell(
-            f"halting: the current move cannot be interrupted and ends in about "
-            f"{self._left_of_move():.1f} s; only the power switch can stop it now"
-        )
-        longest = FRAME * max(self.fit.move_frames)
-        for _ in range(HALT_TRIES):
+        left = self._left_of_move()
+        try:
             self.board.halt()
+        finally:
+            self.tell(
+                f"halting: the current move cannot be interrupted and ends in about {left:.1f} s; "
+                "only the power switch can stop it now"
+            )
+        longest = FRAME * max(self.fit.move_frames)
+        for attempt in range(HALT_TRIES):
+            if attempt > 0:
+                self.board.halt()
             if self.board.is_idle(longest + ANSWER):
                 self._began = None
                 return True

@@ -120,6 +120,24 @@ def test_a_second_request_drops_the_torque_though_nobody_could_be_told_of_it() -
     assert not rig.bench.servos[0].get(registers.TORQUE_ENABLE)
 
 
+def test_a_loop_is_halted_though_nobody_could_be_told_of_it() -> None:
+    rig = PoseRig(loop=True)
+    rig.stop_at = 1.0
+
+    def broken(text: str) -> None:
+        raise RuntimeError("the window is closed")
+
+    rig.player.tell = broken
+    with pytest.raises(RuntimeError, match="window"):
+        rig.play()
+    rig.clock.sleep(3.0)
+    rig.device.take(rig.clock.now())
+    frames = len(rig.bench.goals)
+    rig.clock.sleep(3.0)
+    rig.device.take(rig.clock.now())
+    assert len(rig.bench.goals) == frames
+
+
 def test_a_second_request_long_after_the_halt_drops_the_torque() -> None:
     rig = PoseRig(loop=True)
     rig.stop_at = 1.0
