@@ -30,7 +30,9 @@ def refuse_measured(table: Path, *, force: bool) -> None:
 
 def is_measured(table: Path) -> bool:
     """Whether a table is there that no simulated board recorded, as far as is known."""
-    return table.exists() and _document(table).get("simulated") is not True
+    # One without a byte is what a full disk left before anything moved.
+    holds_any = table.exists() and table.stat().st_size > 0
+    return holds_any and _document(table).get("simulated") is not True
 
 
 def is_of_another(table: Path, resolved_sha256: str) -> bool:

@@ -15,10 +15,11 @@ import pandas as pd
 import pytest
 
 from tests.unit.pump.samples import sample, servo
-from viscodesign.errors import OutputError
+from viscodesign.errors import OutputError, UsageError
 from viscodesign.pump.kinds.servo import CHANNELS
 from viscodesign.pump.play.stream_result import RecordingError
 from viscodesign.pump.sessions.record_file import FLUSH_INTERVAL_S, columns, recorded
+from viscodesign.pump.sessions.record_folder import refuse_measured
 
 
 class FullDisk:
@@ -161,3 +162,12 @@ def test_an_interrupted_record_is_kept(tmp_path: Path) -> None:
     with pytest.raises(KeyError):
         work()
     assert len(path.read_text().splitlines()) == 2
+
+
+def test_only_a_table_that_holds_something_is_kept(tmp_path: Path) -> None:
+    table = tmp_path / "record.csv"
+    table.touch()  # as a full disk leaves it before anything has moved
+    refuse_measured(table, force=False)
+    table.write_text("time_s\n")
+    with pytest.raises(UsageError, match="--force"):
+        refuse_measured(table, force=False)
