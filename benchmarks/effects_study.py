@@ -1,4 +1,4 @@
-"""Does `effects: auto` select well? A hundred scenes, each compared with all effects on.
+"""Does `effects: auto` select well? Drawn scenes, each compared with all effects on.
 
     python benchmarks/effects_study.py            # run missing scenes, then report
     python benchmarks/effects_study.py --report   # report existing results

@@ -1,4 +1,4 @@
-"""Is the stated error right? A hundred scenes, each compared with a converged reference.
+"""Is the stated error right? Drawn scenes, each compared with a converged reference.
 
     python benchmarks/error_study.py --references   # compute missing references
     python benchmarks/error_study.py                # run missing scenes, compare, report
