@@ -67,7 +67,8 @@ def _is_judged(run: Record) -> bool:
 
 def ratio(run: Record) -> float:
     """True error over stated error."""
-    return float(run["true_m"] / run["estimated_tip_error_m"])
+    true_m, stated_m = float(run["true_m"]), float(run["estimated_tip_error_m"])
+    return true_m / stated_m if stated_m else np.inf
 
 
 def report_lines(found: Found, figure: str, seed: int) -> list[str]:
