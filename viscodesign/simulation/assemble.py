@@ -29,10 +29,11 @@ def trajectory_of(quantities: SceneQuantities, selection: Selection, run: Run) -
     """The motion with its warnings; how it ended and how accurate it is come later."""
     scene, motion, graph = quantities.scene, run.motion, quantities.graph
     found = classification(quantities, selection.active)
-    # Of several rods, each is judged by itself. Not at outputs alone: where a run leaves its model
-    # must not hang on when it is looked at.
+    # Of several rods, each is judged by itself. Not at outputs alone: whether a run leaves its
+    # model must not depend on when it is looked at.
     outputs = () if scene.members else motion_blocks(quantities, motion)
-    solved = () if scene.members else motion_blocks(quantities, motion.at_solved_times())
+    has_more = motion.between and not scene.members
+    solved = motion_blocks(quantities, motion.at_solved_times()) if has_more else ()
     exceeded = tuple(motion_notices(quantities, selection.active, outputs, solved))
     return Trajectory(
         name=scene.name,

@@ -71,13 +71,13 @@ def coarser(settings: Settings) -> Settings:
     return replace(settings, edges_per_section=edges, tolerance=tolerance, for_balances=False)
 
 
-def mesh_share(finer: Settings, coarser: Settings) -> float:
-    """Error of the finer of two meshes, in parts of their distance, as order one has it.
+def mesh_share(fine: Settings, coarse: Settings) -> float:
+    """Error of the finer of two meshes, relative to their distance, as order one has it.
 
-    3 edges are not twice 2: their error may be twice the distance. Meshes alike: 0.
+    3 edges are not twice 2: their error may be twice the distance. Of equal meshes: 0.
     """
-    more = finer.edges_per_section - coarser.edges_per_section
-    return ERROR_CONTROL.space_share * coarser.edges_per_section / more if more else 0.0
+    more = fine.edges_per_section - coarse.edges_per_section
+    return ERROR_CONTROL.space_share * coarse.edges_per_section / more if more else 0.0
 
 
 def judgeable(settings: Settings, everything: Run | None = None) -> Settings:
