@@ -141,4 +141,4 @@ def _held_problem(quantities: SceneQuantities, effects: Sequence[Effect], run: P
         initial_piece=still,
     )
     equations = formulate(system, sizes_of(quantities))
-    return replace(run, equations=equations, schedule=schedule)
+    return replace(run, equations=equations, schedule=schedule, has_straight_inputs=True)

@@ -24,7 +24,7 @@ from viscodesign.model.syringes import SyringeParameters
 from viscodesign.model.system import InletSource, System
 from viscodesign.model.unknowns import Sizes
 from viscodesign.postprocess.sample_times import with_samples
-from viscodesign.scene.inputs.base import Input
+from viscodesign.scene.inputs.base import Input, PiecewiseLinear
 from viscodesign.scene.inputs.syringe import SyringeInput
 from viscodesign.scene.scene import Scene
 from viscodesign.solve.obstacles import Obstacle, Remedies
@@ -80,6 +80,7 @@ def build(quantities: SceneQuantities, effects: Sequence[Effect], settings: Sett
             scene.run.start != "equilibrium",
             for_balances=settings.for_balances,
         ),
+        has_straight_inputs=all(isinstance(i, PiecewiseLinear) for i in scene.inputs.values()),
         rest_volume=quantities.bellows.rest_volume,
         floor_volume=_floor_volume(quantities, effects),
         drawing=_drawing_limits(quantities, effects),

@@ -116,6 +116,8 @@ class Problem:
     baseline: float
     """Gauge pressure about which the inputs vary [Pa]."""
     schedule: Schedule
+    has_straight_inputs: bool
+    """Whether every input is a straight line between its corners."""
     rest_volume: Numbers
     """Volume of a bellow at zero gauge, without what tubes share with it [m3]."""
     floor_volume: Numbers | None

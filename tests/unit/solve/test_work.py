@@ -14,6 +14,7 @@ from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.report.run_folder import write_run
 from viscodesign.simulation.build_problem import Settings
 from viscodesign.simulation.solve_once import solve
+from viscodesign.solve.solvers.rodas_stretch import CONTROL
 
 PERIODS = "input={kind: sine, amplitude: 20 kPa, frequency: 0.3 Hz}"
 
@@ -62,3 +63,22 @@ def test_a_finer_mesh_of_a_damped_rod_takes_no_more_steps() -> None:
         solve(quantities, effects, Settings(edges, 1e-3)).solution.work.steps for edges in (2, 16)
     )
     assert fine < 1.2 * coarse
+
+
+def steps_of(*overrides: str) -> int:
+    scene = leg("run={duration: 40 s, output_times: [40]}", "effects.inertia=on", *overrides)
+    quantities = SceneQuantities(scene)
+    effects = select_effects(quantities).effects
+    return solve(quantities, effects, Settings(1, 1e-2, "rosenbrock")).solution.work.steps
+
+
+def test_straight_inputs_take_as_few_steps_as_the_tolerance_allows() -> None:
+    """Between its corners nothing of a straight input can be missed; of a smooth one it can."""
+    stretches = 4
+    square = steps_of("input={kind: square, high: 2 kPa, low: 0, frequency: 0.05 Hz}")
+    assert CONTROL.min_steps_per_line * stretches <= square < 40 * stretches
+    smooth = steps_of(
+        "input={kind: double_sigmoid, start: 2 kPa, drop: 2 kPa, fall_time: 5 s, "
+        "rise_time: 6 s, transition: 0.1 s}"
+    )
+    assert smooth >= CONTROL.min_steps_per_stretch

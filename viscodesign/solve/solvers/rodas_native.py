@@ -146,7 +146,7 @@ class NativeSteps(StretchSteps):
             tolerance=self.tolerance,
             motion_time=motion_time,
             powers=self._powers,
-            largest=largest_step(swing_time, stretch),
+            largest=largest_step(swing_time, stretch, is_line=self.problem.has_straight_inputs),
             smallest=CONTROL.min_step * end,
             safety=CONTROL.safety,
             max_factor=CONTROL.max_factor,

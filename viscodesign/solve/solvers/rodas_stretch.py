@@ -29,6 +29,9 @@ class StepControl:
     """Largest and smallest ratio of a step to the one before."""
     min_steps_per_stretch: int = 50
     """Steps that a stretch of smooth input takes at least, if its swings are short."""
+    min_steps_per_line: int = 10
+    """The same where inputs are straight lines within a stretch: no step misses a swing then. With
+    so few, everything on, errors were those of a sine's steps at the same tolerance."""
     memory: float = 0.08
     """Exponent of the last error in the next step (a PI controller)."""
     steps_at_once: int = 256
@@ -47,9 +50,10 @@ def first_step(motion_time: float, stretch: float) -> float:
     return CONTROL.first_step * min(motion_time, stretch)
 
 
-def largest_step(swing_time: float, stretch: float) -> float:
+def largest_step(swing_time: float, stretch: float, *, is_line: bool) -> float:
     """The largest step within a stretch [s]; see `StretchSteps.largest_size`."""
-    return max(swing_time, stretch / CONTROL.min_steps_per_stretch)
+    fewest = CONTROL.min_steps_per_line if is_line else CONTROL.min_steps_per_stretch
+    return max(swing_time, stretch / fewest)
 
 
 @dataclass
@@ -113,7 +117,8 @@ class StretchSteps(ABC):
         No step is longer than a swing of the input, however smooth all was before; a swing far
         shorter than the stretch has corners of its own.
         """
-        return largest_step(self.problem.equations.swing_time, stretch)
+        swing_time, is_line = self.problem.equations.swing_time, self.problem.has_straight_inputs
+        return largest_step(swing_time, stretch, is_line=is_line)
 
     @property
     def steps_at_once(self) -> int:
