@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from viscodesign.estimate.axis_loops import axes_laid, axes_strained, moment_of, sum_to_tip
 from viscodesign.estimate.laws_by_row import Rows, WallsByRow, rows_by_law
 from viscodesign.estimate.network_estimate import NetworkEstimate
 from viscodesign.estimate.setting import EstimateSetting
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.lazy_dataclass import dataclass
-from viscodesign.native.angles import sines_and_cosines
 
 LARGEST_LOAD_TURN = 3.0
 """Angle by which a load may bend one piece [rad]."""
@@ -20,7 +20,6 @@ LARGEST_SHEAR = 1.0
 """Angle by which a load may shear one piece [rad]."""
 LOAD_ROUNDS = 2
 MIN_STRETCH = 0.05
-TINY = 1e-30
 
 
 @dataclass(frozen=True)
@@ -193,24 +192,21 @@ class LoadEstimates:
         return np.asarray(self.held_density[:, None, None] * both)
 
     def elastic_strains(self, axes: Axes, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Curvature and stretch that balance forces (S, 2, K, T) at the ends of the pieces."""
+        """Curvature and stretch that balance forces (S, 2, K, T or 1) at the ends of the pieces."""
         setting = self.setting
-        carried = _sum_to_tip(force)
-        torque = _sum_to_tip(_moment(axes.nodes, force))
-        moment = _moment(axes.middle, carried) - torque
-        along = axes.direction * carried
-        normal = along[:, 0] + along[:, 1]
         length = setting.length / setting.pieces
-        most = LARGEST_LOAD_TURN
-        bending, extension = (np.reshape(own, (-1, 1)) for own in setting.piece_stiffnesses)
-        turn = np.clip(moment * (length / bending), -most, most)
-        return turn / length, normal / extension
+        bending, extension = (own * np.ones(setting.pieces) for own in setting.piece_stiffnesses)
+        vectors = axes.nodes, axes.middle, axes.direction
+        turned, drawn = axes_strained(
+            (bending / length, extension), vectors, force, LARGEST_LOAD_TURN
+        )
+        return turned / length, drawn
 
     def shear_angles(self, axes: Axes, force: np.ndarray) -> np.ndarray | None:
         """Shear of the pieces (S, K, T) [rad] by the same forces; None where none shears."""
         if not self.shear_compliance.any():
             return None
-        across = _moment(_sum_to_tip(force), axes.direction)
+        across = moment_of(sum_to_tip(force), axes.direction)
         angle = self.shear_compliance[:, None, None] * across
         return np.asarray(np.clip(angle, -LARGEST_SHEAR, LARGEST_SHEAR))
 
@@ -218,23 +214,5 @@ class LoadEstimates:
 def _unloaded(curvature: np.ndarray, stretch: np.ndarray, length: float) -> Axes:
     """The axes of pieces with these total strains (S, K, T), none of them from loads."""
     stretch = np.maximum(stretch, MIN_STRETCH)
-    half_turn = curvature * (length / 2)
-    pieces = half_turn.shape[1]
-    across, along = sines_and_cosines((2 * np.tri(pieces) - np.eye(pieces)) @ half_turn)
-    # The sine of an angle over the angle, also at zero.
-    angle = np.where(half_turn == 0.0, TINY, half_turn)
-    direction = np.stack([across, along], axis=1)
-    chord = (length * stretch * (sines_and_cosines(angle)[0] / angle))[:, None] * direction
-    nodes = np.tri(pieces) @ chord
     nothing = np.zeros_like(curvature)
-    return Axes(nodes, nodes - chord / 2, direction, stretch, nothing, nothing)
-
-
-def _moment(arm: np.ndarray, force: np.ndarray) -> np.ndarray:
-    """Moments (S, K, T) of forces about the clamp, from vectors (S, 2, K, T): x into z."""
-    return np.asarray(arm[:, 0] * force[:, 1] - arm[:, 1] * force[:, 0])
-
-
-def _sum_to_tip(values: np.ndarray) -> np.ndarray:
-    """Sums from each piece to the tip (S, ..., K, T)."""
-    return np.asarray(np.tri(values.shape[-2]).T @ values)
+    return Axes(*axes_laid(curvature, stretch, length), stretch, nothing, nothing)

@@ -1,4 +1,4 @@
-; made from 8f4e902519141135e6be250b5d83b2c274a687d9a193528165d769e0390f180d
+; made from 91466e37b65c52331cf9e63484605f5d45fd36a30853adfa9ba59b2aa1f66781
 define i64 @residual(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
@@ -11853,14 +11853,312 @@ entry:
   ret i32 0
 }
 
-define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
+define i64 @lay_axes(i64 %a0, i64 %a1, i64 %a2, double %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  %1 = call i32 @lay_axes.115(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, double %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @follow.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
+define internal i32 @lay_axes.115(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.rows, i64 %arg.pieces, i64 %arg.samples, double %arg.length, ptr noalias %arg.curvature, ptr noalias %arg.stretch, ptr noalias %arg.room, ptr noalias %arg.nodes, ptr noalias %arg.middle, ptr noalias %arg.direction) noinline {
+entry:
+  %.578 = alloca [2 x double], align 8
+  %.fca.1.gep4 = getelementptr inbounds nuw i8, ptr %.578, i64 8
+  %excinfo.1 = alloca ptr, align 8
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.578, i8 0, i64 16, i1 false)
+  store ptr null, ptr %excinfo.1, align 8
+  %.612 = alloca [2 x double], align 8
+  %excinfo.2 = alloca ptr, align 8
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.612, i8 0, i64 16, i1 false)
+  store ptr null, ptr %excinfo.2, align 8
+  %.34 = mul nsw i64 %arg.samples, %arg.pieces
+  %.120260.not = icmp slt i64 %arg.rows, 1
+  br i1 %.120260.not, label %B720, label %B46.if.lr.ph
+
+B46.if.lr.ph:
+  %0 = call i64 @llvm.smax.i64(i64 %arg.samples, i64 0)
+  %storemerge247 = mul i64 %0, 3
+  %.242251.not = icmp slt i64 %arg.samples, 1
+  %.369257.not = icmp slt i64 %arg.pieces, 1
+  %.491254.not = icmp slt i64 %arg.samples, 1
+  %.566 = fmul contract double %arg.length, 5.000000e-01
+  %1 = getelementptr double, ptr %arg.room, i64 %arg.samples
+  %.idx = shl i64 %arg.samples, 4
+  %2 = getelementptr i8, ptr %arg.room, i64 %.idx
+  %3 = call i64 @llvm.smax.i64(i64 %storemerge247, i64 1)
+  %4 = shl nuw i64 %3, 3
+  br label %B46.if
+
+B44.loopexit:
+  %exitcond267.not = icmp eq i64 %.133, %arg.rows
+  br i1 %exitcond267.not, label %B720, label %B46.if
+
+B102:
+  br i1 %.369257.not, label %B44.loopexit, label %B134.if.lr.ph
+
+B134.if.lr.ph:
+  %.538 = shl nuw nsw i64 %.61.0261, 1
+  %.540 = mul nsw i64 %.538, %.34
+  %.544 = or disjoint i64 %.538, 1
+  %.546 = mul nsw i64 %.544, %.34
+  %.556 = mul nsw i64 %.61.0261, %.34
+  br label %B134.if
+
+B132.loopexit:
+  %exitcond266.not = icmp eq i64 %arg.pieces, %.382
+  br i1 %exitcond266.not, label %B44.loopexit, label %B134.if
+
+common.ret:
+  %common.ret.op = phi i32 [ 0, %B720 ], [ %.616, %B172.endif.endif.if ], [ %.582, %B172.endif.if ]
+  ret i32 %common.ret.op
+
+B720:
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B46.if:
+  %.61.0261 = phi i64 [ 0, %B46.if.lr.ph ], [ %.133, %B44.loopexit ]
+  %.133 = add nuw nsw i64 %.61.0261, 1
+  br i1 %.242251.not, label %B102, label %B86.if.preheader
+
+B86.if.preheader:
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(1) %arg.room, i8 0, i64 %4, i1 false)
+  br label %B102
+
+B134.if:
+  %.312.0258 = phi i64 [ 0, %B134.if.lr.ph ], [ %.382, %B132.loopexit ]
+  %.382 = add nuw nsw i64 %.312.0258, 1
+  %5 = mul nsw i64 %.312.0258, %arg.samples
+  br i1 %.491254.not, label %B132.loopexit, label %B170.if
+
+B170.if:
+  %.434.0255 = phi i64 [ %.504, %B172.endif.endif.endif ], [ 0, %B134.if ]
+  %.504 = add nuw nsw i64 %.434.0255, 1
+  %.536 = add nuw nsw i64 %.434.0255, %5
+  %.541 = add nuw nsw i64 %.536, %.540
+  %.547 = add nuw nsw i64 %.536, %.546
+  %.557 = add nuw nsw i64 %.536, %.556
+  %.559 = getelementptr double, ptr %arg.curvature, i64 %.557
+  %.560 = load double, ptr %.559, align 8
+  %.567 = fmul contract double %.566, %.560
+  %.574 = getelementptr double, ptr %arg.room, i64 %.434.0255
+  %.575 = load double, ptr %.574, align 8
+  %.577 = fadd contract double %.575, %.567
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.578, i8 0, i64 16, i1 false)
+  %.582 = call i32 @sine_and_cosine.114(ptr nonnull %.578, ptr nonnull %excinfo.1, double %.577)
+  %.592.fca.0.load = load double, ptr %.578, align 8
+  %.592.fca.1.load = load double, ptr %.fca.1.gep4, align 8
+  switch i32 %.582, label %B172.endif.if [
+    i32 -2, label %B172.endif.endif
+    i32 0, label %B172.endif.endif
+  ]
+
+B172.endif.if:
+  %.590 = icmp sgt i32 %.582, 0
+  %.583 = load ptr, ptr %excinfo.1, align 8
+  %.591 = select i1 %.590, ptr %.583, ptr undef
+  store ptr %.591, ptr %excinfo, align 8
+  br label %common.ret
+
+B172.endif.endif:
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(16) %.612, i8 0, i64 16, i1 false)
+  %.616 = call i32 @sine_and_cosine.114(ptr nonnull %.612, ptr nonnull %excinfo.2, double %.567)
+  switch i32 %.616, label %B172.endif.endif.if [
+    i32 -2, label %B172.endif.endif.endif
+    i32 0, label %B172.endif.endif.endif
+  ]
+
+B172.endif.endif.if:
+  %.624 = icmp sgt i32 %.616, 0
+  %.617 = load ptr, ptr %excinfo.2, align 8
+  %.625 = select i1 %.624, ptr %.617, ptr undef
+  store ptr %.625, ptr %excinfo, align 8
+  br label %common.ret
+
+B172.endif.endif.endif:
+  %.626.fca.0.load = load double, ptr %.612, align 8
+  %.646 = getelementptr double, ptr %arg.stretch, i64 %.557
+  %.647 = load double, ptr %.646, align 8
+  %.649 = fmul contract double %arg.length, %.647
+  %.651 = fcmp contract une double %.567, 0.000000e+00
+  %.661 = fdiv contract double %.626.fca.0.load, %.567
+  %"$phi426.4.2.3" = select i1 %.651, double %.661, double 1.000000e+00
+  %.675 = fmul contract double %.649, %"$phi426.4.2.3"
+  %.684 = getelementptr double, ptr %1, i64 %.434.0255
+  %.685 = load double, ptr %.684, align 8
+  %.691 = getelementptr double, ptr %2, i64 %.434.0255
+  %.692 = load double, ptr %.691, align 8
+  %.699 = fmul contract double %.567, 2.000000e+00
+  %.702 = fadd contract double %.575, %.699
+  store double %.702, ptr %.574, align 8
+  %.708 = fmul contract double %.592.fca.0.load, %.675
+  %.709 = fadd contract double %.685, %.708
+  store double %.709, ptr %.684, align 8
+  %.717 = fmul contract double %.592.fca.1.load, %.675
+  %.718 = fadd contract double %.692, %.717
+  store double %.718, ptr %.691, align 8
+  %.736 = getelementptr double, ptr %arg.nodes, i64 %.541
+  store double %.709, ptr %.736, align 8
+  %.740 = getelementptr double, ptr %arg.nodes, i64 %.547
+  store double %.718, ptr %.740, align 8
+  %.746 = fmul contract double %.675, 5.000000e-01
+  %.748 = fmul contract double %.592.fca.0.load, %.746
+  %.749 = fadd contract double %.685, %.748
+  %.756 = fmul contract double %.592.fca.1.load, %.746
+  %.757 = fadd contract double %.692, %.756
+  %.760 = getelementptr double, ptr %arg.middle, i64 %.541
+  store double %.749, ptr %.760, align 8
+  %.764 = getelementptr double, ptr %arg.middle, i64 %.547
+  store double %.757, ptr %.764, align 8
+  %.769 = getelementptr double, ptr %arg.direction, i64 %.541
+  store double %.592.fca.0.load, ptr %.769, align 8
+  %.778 = getelementptr double, ptr %arg.direction, i64 %.547
+  store double %.592.fca.1.load, ptr %.778, align 8
+  %exitcond.not = icmp eq i64 %arg.samples, %.504
+  br i1 %exitcond.not, label %B132.loopexit, label %B170.if
+}
+
+define i64 @strain_axes(i64 %a0, i64 %a1, i64 %a2, double %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @strain_axes.116(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, double %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12)
+  ret i64 0
+}
+
+define internal i32 @strain_axes.116(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.rows, i64 %arg.pieces, i64 %arg.samples, double %arg.most, ptr noalias %arg.turns, ptr noalias %arg.draws, ptr noalias %arg.nodes, ptr noalias %arg.middle, ptr noalias %arg.direction, ptr noalias %arg.force, ptr noalias %arg.room, ptr noalias %arg.turned, ptr noalias %arg.drawn) noinline {
+entry:
+  %.43 = mul nsw i64 %arg.samples, %arg.pieces
+  %.129191.not = icmp slt i64 %arg.rows, 1
+  br i1 %.129191.not, label %B710, label %B46.if.lr.ph
+
+B46.if.lr.ph:
+  %0 = call i64 @llvm.smax.i64(i64 %arg.samples, i64 0)
+  %storemerge179 = mul i64 %0, 3
+  %.251182.not = icmp slt i64 %arg.samples, 1
+  %.378188.not = icmp slt i64 %arg.pieces, 1
+  %.503185.not = icmp slt i64 %arg.samples, 1
+  %1 = getelementptr double, ptr %arg.room, i64 %arg.samples
+  %.idx = shl i64 %arg.samples, 4
+  %2 = getelementptr i8, ptr %arg.room, i64 %.idx
+  %.679 = fneg contract double %arg.most
+  %3 = call i64 @llvm.smax.i64(i64 %storemerge179, i64 1)
+  %4 = shl nuw i64 %3, 3
+  br label %B46.if
+
+B44.loopexit:
+  %exitcond195.not = icmp eq i64 %.142, %arg.rows
+  br i1 %exitcond195.not, label %B710, label %B46.if
+
+B102:
+  br i1 %.378188.not, label %B44.loopexit, label %B134.if.lr.ph
+
+B134.if.lr.ph:
+  %.549 = shl nuw nsw i64 %.70.0192, 1
+  %.551 = mul nsw i64 %.549, %.43
+  %.556 = or disjoint i64 %.549, 1
+  %.558 = mul nsw i64 %.556, %.43
+  %.699 = mul nsw i64 %.70.0192, %.43
+  br label %B134.if
+
+B132.loopexit:
+  %exitcond194.not = icmp eq i64 %arg.pieces, %.391
+  br i1 %exitcond194.not, label %B44.loopexit, label %B134.if
+
+B710:
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+
+B46.if:
+  %.70.0192 = phi i64 [ 0, %B46.if.lr.ph ], [ %.142, %B44.loopexit ]
+  %.142 = add nuw nsw i64 %.70.0192, 1
+  br i1 %.251182.not, label %B102, label %B86.if.preheader
+
+B86.if.preheader:
+  call void @llvm.memset.p0.i64(ptr nonnull align 8 dereferenceable(1) %arg.room, i8 0, i64 %4, i1 false)
+  br label %B102
+
+B134.if:
+  %.321.0189 = phi i64 [ 0, %B134.if.lr.ph ], [ %.391, %B132.loopexit ]
+  %.391 = add nuw nsw i64 %.321.0189, 1
+  br i1 %.503185.not, label %B132.loopexit, label %B186.if.lr.ph
+
+B186.if.lr.ph:
+  %5 = xor i64 %.321.0189, -1
+  %.418 = add nsw i64 %arg.pieces, %5
+  %.543 = mul nsw i64 %.418, %arg.samples
+  %.635 = getelementptr double, ptr %arg.turns, i64 %.418
+  %.636 = load double, ptr %.635, align 8
+  %.731 = getelementptr double, ptr %arg.draws, i64 %.418
+  %.732 = load double, ptr %.731, align 8
+  br label %B186.if
+
+B186.if:
+  %.446.0186 = phi i64 [ 0, %B186.if.lr.ph ], [ %.516, %B186.if ]
+  %.516 = add nuw nsw i64 %.446.0186, 1
+  %.544 = add nsw i64 %.446.0186, %.543
+  %.553 = add nsw i64 %.544, %.551
+  %.560 = add nsw i64 %.544, %.558
+  %.568 = getelementptr double, ptr %arg.room, i64 %.446.0186
+  %.569 = load double, ptr %.568, align 8
+  %.572 = getelementptr double, ptr %arg.force, i64 %.553
+  %.573 = load double, ptr %.572, align 8
+  %.574 = fadd contract double %.569, %.573
+  %.578 = getelementptr double, ptr %1, i64 %.446.0186
+  %.579 = load double, ptr %.578, align 8
+  %.582 = getelementptr double, ptr %arg.force, i64 %.560
+  %.583 = load double, ptr %.582, align 8
+  %.584 = fadd contract double %.579, %.583
+  %.595 = getelementptr double, ptr %2, i64 %.446.0186
+  %.596 = load double, ptr %.595, align 8
+  %.599 = getelementptr double, ptr %arg.nodes, i64 %.553
+  %.600 = load double, ptr %.599, align 8
+  %.605 = fmul contract double %.583, %.600
+  %.608 = getelementptr double, ptr %arg.nodes, i64 %.560
+  %.609 = load double, ptr %.608, align 8
+  %.614 = fmul contract double %.573, %.609
+  %.615 = fsub contract double %.605, %.614
+  %.616 = fadd contract double %.596, %.615
+  store double %.574, ptr %.568, align 8
+  store double %.584, ptr %.578, align 8
+  store double %.616, ptr %.595, align 8
+  %.639 = getelementptr double, ptr %arg.middle, i64 %.553
+  %.640 = load double, ptr %.639, align 8
+  %.642 = fmul contract double %.584, %.640
+  %.645 = getelementptr double, ptr %arg.middle, i64 %.560
+  %.646 = load double, ptr %.645, align 8
+  %.648 = fmul contract double %.574, %.646
+  %.649 = fsub contract double %.642, %.648
+  %.650 = fsub contract double %.649, %.616
+  %.651 = fmul contract double %.636, %.650
+  %.657 = fcmp contract ogt double %.651, %arg.most
+  %arg.most..651 = select i1 %.657, double %arg.most, double %.651
+  %.681 = fcmp contract olt double %arg.most..651, %.679
+  %"$phi592.3.2.3" = select i1 %.681, double %.679, double %arg.most..651
+  %.701 = add nsw i64 %.544, %.699
+  %.704 = getelementptr double, ptr %arg.turned, i64 %.701
+  store double %"$phi592.3.2.3", ptr %.704, align 8
+  %.710 = getelementptr double, ptr %arg.direction, i64 %.553
+  %.711 = load double, ptr %.710, align 8
+  %.715 = fmul contract double %.574, %.711
+  %.720 = getelementptr double, ptr %arg.direction, i64 %.560
+  %.721 = load double, ptr %.720, align 8
+  %.725 = fmul contract double %.584, %.721
+  %.728 = fadd contract double %.715, %.725
+  %.733 = fmul contract double %.732, %.728
+  %.742 = getelementptr double, ptr %arg.drawn, i64 %.701
+  store double %.733, ptr %.742, align 8
+  %exitcond.not = icmp eq i64 %arg.samples, %.516
+  br i1 %exitcond.not, label %B132.loopexit, label %B186.if
+}
+
+define i64 @follow(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8) {
+  %r = alloca ptr, align 8
+  %e = alloca ptr, align 8
+  %1 = call i32 @follow.117(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8)
+  ret i64 0
+}
+
+define internal i32 @follow.117(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
   %.296 = alloca double, align 8
   store double 0.000000e+00, ptr %.296, align 8
@@ -11923,7 +12221,7 @@ B84.if:
   %.285 = load double, ptr %.284, align 8
   %.290 = fmul contract double %.285, %.289
   store double 0.000000e+00, ptr %.296, align 8
-  %.300 = call i32 @exponential.116(ptr nonnull %.296, ptr nonnull %excinfo.1, double %.290)
+  %.300 = call i32 @exponential.118(ptr nonnull %.296, ptr nonnull %excinfo.1, double %.290)
   switch i32 %.300, label %B86.if [
     i32 -2, label %B86.endif
     i32 0, label %B86.endif
@@ -12016,7 +12314,7 @@ B620.if:
   br i1 %exitcond187.not, label %B786, label %B620.if
 }
 
-define internal i32 @exponential.116(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+define internal i32 @exponential.118(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
 entry:
   %.8 = fcmp contract ogt double %arg.x, -7.080000e+02
   %arg.x. = select i1 %.8, double %arg.x, double -7.080000e+02
@@ -12079,11 +12377,11 @@ entry:
 define i64 @follow_turning(i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_turning.117(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @follow_turning.119(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, ptr %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @follow_turning.117(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.scale, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
+define internal i32 @follow_turning.119(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.steps, i64 %arg.count, i64 %arg.channels, ptr noalias %arg.step, ptr noalias %arg.rate, ptr noalias %arg.scale, ptr noalias %arg.drive, ptr noalias %arg.state, ptr noalias %arg.room, ptr noalias %arg.found) noinline {
 entry:
   %.320 = alloca double, align 8
   store double 0.000000e+00, ptr %.320, align 8
@@ -12171,7 +12469,7 @@ B96.if:
   %.300 = fmul contract double %.294, %.299
   %.311 = fmul contract double %.294, %.310
   store double 0.000000e+00, ptr %.320, align 8
-  %.324 = call i32 @exponential.116(ptr nonnull %.320, ptr nonnull %excinfo.1, double %.300)
+  %.324 = call i32 @exponential.118(ptr nonnull %.320, ptr nonnull %excinfo.1, double %.300)
   %.334 = load double, ptr %.320, align 8
   switch i32 %.324, label %B98.if [
     i32 -2, label %B98.endif
@@ -12362,11 +12660,11 @@ B1294.if:
 define i64 @have_signs(i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9) {
   %r = alloca ptr, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @have_signs.118(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
+  %1 = call i32 @have_signs.120(ptr nonnull %r, ptr nonnull %e, i64 %a0, i64 %a1, i64 %a2, i64 %a3, ptr %a4, ptr %a5, ptr %a6, ptr %a7, ptr %a8, ptr %a9)
   ret i64 0
 }
 
-define internal i32 @have_signs.118(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
+define internal i32 @have_signs.120(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.matrices, i64 %arg.entries, i64 %arg.count, i64 %arg.width, ptr noalias %arg.lower, ptr noalias %arg.upper, ptr noalias %arg.signs, ptr noalias %arg.data, ptr noalias %arg.band, ptr noalias %arg.found) noinline {
 entry:
   %.32 = add i64 %arg.width, 1
   %.123287.not = icmp slt i64 %arg.matrices, 1
@@ -12539,12 +12837,12 @@ B630.if:
 define i64 @follow_equilibria(ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23) {
   %r = alloca i64, align 8
   %e = alloca ptr, align 8
-  %1 = call i32 @follow_equilibria.119(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
+  %1 = call i32 @follow_equilibria.121(ptr nonnull %r, ptr nonnull %e, ptr %a0, ptr %a1, ptr %a2, ptr %a3, ptr %a4, ptr %a5, i64 %a6, ptr %a7, ptr %a8, ptr %a9, ptr %a10, ptr %a11, ptr %a12, i64 %a13, ptr %a14, i64 %a15, i64 %a16, ptr %a17, ptr %a18, ptr %a19, ptr %a20, ptr %a21, ptr %a22, ptr %a23)
   %v = load i64, ptr %r, align 8
   ret i64 %v
 }
 
-define internal i32 @follow_equilibria.119(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
+define internal i32 @follow_equilibria.121(ptr noalias %retptr, ptr noalias %excinfo, ptr noalias %arg.layout, ptr noalias %arg.kernels, ptr noalias %arg.idx, ptr noalias %arg.rows, ptr noalias %arg.pos, ptr noalias %arg.numbers, i64 %arg.blocks, ptr noalias %arg.own, ptr noalias %arg.slots, ptr noalias %arg.lu_start, ptr noalias %arg.lu_columns, ptr noalias %arg.diagonal, ptr noalias %arg.mass, i64 %arg.count, ptr noalias %arg.times, i64 %arg.first, i64 %arg.last, ptr noalias %arg.settings, ptr noalias %arg.before, ptr noalias %arg.now, ptr noalias %arg.clock, ptr noalias %arg.Y, ptr noalias %arg.outputs, ptr noalias %arg.work) noinline {
 entry:
   %.291 = alloca ptr, align 8
   store ptr null, ptr %.291, align 8
@@ -12724,7 +13022,7 @@ B1384:
 B1482:
   %.1149 = load double, ptr %.1148, align 8
   store i64 0, ptr %.1155, align 8
-  %.1159 = call i32 @is_far.120(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
+  %.1159 = call i32 @is_far.122(ptr nonnull %.1155, ptr nonnull %excinfo.12, i64 %arg.first, i64 %arg.last, double %.1149, ptr %arg.Y, ptr %arg.work, ptr %arg.now)
   switch i32 %.1159, label %B1482.if [
     i32 -2, label %B1482.endif
     i32 0, label %B1482.endif
@@ -12808,7 +13106,7 @@ B712.endif.if:
 B712.endif.endif:
   %.552 = load double, ptr %.551, align 8
   store i64 0, ptr %.553, align 8
-  %.557 = call i32 @numba.121(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
+  %.557 = call i32 @numba.123(ptr nonnull %.553, ptr nonnull %excinfo.4, double %.552)
   switch i32 %.557, label %B712.endif.endif.if [
     i32 -2, label %B712.endif.endif.endif
     i32 0, label %B712.endif.endif.endif
@@ -12904,7 +13202,7 @@ B1220.if:
 
 B1220.endif:
   store double 0.000000e+00, ptr %.1025, align 8
-  %.1029 = call i32 @largest_of.122(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
+  %.1029 = call i32 @largest_of.124(ptr nonnull %.1025, ptr nonnull %excinfo.10, i64 %.76, ptr %.89)
   %.1039 = load double, ptr %.1025, align 8
   switch i32 %.1029, label %B1220.endif.if [
     i32 -2, label %B1220.endif.endif
@@ -12998,7 +13296,7 @@ B1560.endif.endif.endif:
   br i1 %.225, label %B458, label %B1744
 }
 
-define internal i32 @is_far.120(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
+define internal i32 @is_far.122(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.first, i64 %arg.last, double %arg.near, ptr noalias %arg.found, ptr noalias %arg.guess, ptr noalias %arg.now) noinline {
 entry:
   %.159 = alloca double, align 8
   store double 0.000000e+00, ptr %.159, align 8
@@ -13127,14 +13425,14 @@ B300.endif:
   br i1 %.317, label %B346, label %B350
 }
 
-define internal i32 @numba.121(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
+define internal i32 @numba.123(ptr noalias %retptr, ptr noalias %excinfo, double %arg.x) {
 entry:
   %.5 = fptosi double %arg.x to i64
   store i64 %.5, ptr %retptr, align 8
   ret i32 0
 }
 
-define internal i32 @largest_of.122(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
+define internal i32 @largest_of.124(ptr noalias %retptr, ptr noalias %excinfo, i64 %arg.n, ptr noalias %arg.values) noinline {
 entry:
   %.160 = alloca double, align 8
   store double 0.000000e+00, ptr %.160, align 8

@@ -23,6 +23,7 @@ from viscodesign.native.code_cache import cached
 from viscodesign.native.machine import load, object_code, this_machine
 from viscodesign.native.source import (
     angles,
+    axes,
     bands,
     elimination,
     equilibria,
@@ -56,6 +57,7 @@ SOURCES = (
     row_operations,
     tape,
     angles,
+    axes,
     filters,
     bands,
     equilibria,
@@ -112,6 +114,8 @@ SIGNATURES: dict[str, tuple[str, ...]] = {
         *("count", "reals", "reals"),
     ),
     "sines_and_cosines": ("count", *["reals"] * 3),
+    "lay_axes": ("count", "count", "count", "real", *["reals"] * 6),
+    "strain_axes": ("count", "count", "count", "real", *["reals"] * 9),
     "follow": ("count", "count", "count", *["reals"] * 6),
     "follow_turning": ("count", "count", "count", *["reals"] * 7),
     "have_signs": (*["count"] * 4, "places", "places", *["reals"] * 3, "counts"),
