@@ -108,6 +108,11 @@ class AllowedSets:
         companions = {e.companion for e in self.effects.values()}
         return not self.effects[name].needs and name not in companions
 
+    def is_followed(self, name: str, names: Names) -> bool:
+        """Whether what effects of a set do, or cost, depends on one that it lacks."""
+        companion = self.effects[name].companion
+        return companion in names or any(self.effects[n].free_with == name for n in names)
+
     def acts_in(self, name: str, names: Names) -> bool:
         """Whether it has something to act on in a set of effects."""
         return names.issuperset(self.effects[name].needs)

@@ -3,6 +3,7 @@
 An estimate of the motion with everything that the spec allows is compared with estimates
 that lack one effect each. The effect that moves the tip least is neglected first, as long as
 all neglected effects together may move it by no more than a part of the requested accuracy.
+Only where that leaves out one that others follow, these are weighed again.
 """
 
 from __future__ import annotations
@@ -46,11 +47,12 @@ def select_effects(quantities: SceneQuantities) -> Selection:
     displacements = TipDisplacements(sets)
 
     def choice() -> tuple[Names, tuple[Verdict, ...]]:
-        active, dominant = _fewest(sets, displacements)
-        flipped = _flipped(sets, active, dominant)
+        active, weighed = _fewest(sets, displacements)
+        acting = [n for n in sets.effects if n in sets.present and sets.acts_in(n, active)]
+        flipped = {n: sets.flipped(active, n) for n in acting if n not in weighed}
         displacements.prepare(active, flipped.values())
         moved = {n: displacements.between(active, other) for n, other in flipped.items()}
-        moved |= dominant
+        moved |= {n: weighed[n] for n in acting if n in weighed}
         by_weight = displacements.are_weights
         return active, tuple(
             verdict(sets, n, active, moved.get(n, 0.0), by_weight=by_weight) for n in sets.effects
@@ -110,6 +112,13 @@ class Selection:
         acting = (v.name for v in self.verdicts if v.present)
         return [name for name in acting if self.sets.acts_in(name, self.active)]
 
+    def switched_m(self, name: str) -> float:
+        """How far the tip moves with one effect switched, by the estimates [m].
+
+        In the chosen set, unlike the verdict's, which is from where the effect was weighed last.
+        """
+        return self.displacements.between(self.active, self.sets.flipped(self.active, name))
+
     def with_flipped(self, name: str) -> list[Effect]:
         """The effects with one switched, and with what it needs or what needs it."""
         return self.members(self.sets.flipped(self.active, name))
@@ -143,34 +152,27 @@ class Selection:
 def _fewest(sets: AllowedSets, displacements: TipDisplacements) -> tuple[Names, dict[str, float]]:
     """The fewest effects whose omissions fit into their part of the accuracy.
 
-    And how far those move the tip that do far too much ever to be neglected [m].
+    And how far each of those that may be neglected moves the tip, as last weighed [m].
     """
     share = NUMBERS.accuracy_share * sets.quantities.requested_m
     names, spent = sets.everything, 0.0
-    required, dominant = sets.kept(names), dict[str, float]()
-    # What one effect does may depend on another that a first pass neglects.
+    required, weighed = sets.kept(names), dict[str, float]()
+    dominant: set[str] = set()
     for _ in range(NUMBERS.passes):
         before = names
         # In the catalogue's order, so that equal costs are always met in the same one.
-        loose = [n for n in sets.effects if n in names - required and n not in dominant]
+        loose = [n for n in sets.effects if n in names - required - dominant]
         flipped = {n: sets.without(names, n) for n in loose}
         displacements.prepare(names, flipped.values())
         cost = {n: displacements.between(names, flipped[n]) for n in loose}
+        weighed |= cost
         most = NUMBERS.always_kept * share
-        dominant |= {n: cost[n] for n in loose if cost[n] > most and sets.leads(n)}
+        dominant |= {n for n in loose if cost[n] > most and sets.leads(n)}
         names, spent = _thinned(sets, displacements, names, spent, cost, share)
-        if names == before:
+        # Without inertia, damping may do nothing: those that follow are weighed again.
+        if not any(sets.is_followed(n, names) for n in before - names):
             break
-    return names, dominant
-
-
-def _flipped(sets: AllowedSets, names: Names, dominant: Iterable[str]) -> dict[str, Names]:
-    """A set with one effect more or less, for all that act on something in it.
-
-    Not for those that are ``dominant``: they do nearly the same in another set.
-    """
-    acting = [n for n in sets.effects if n in sets.present and sets.acts_in(n, names)]
-    return {n: sets.flipped(names, n) for n in acting if n not in dominant}
+    return names, weighed
 
 
 def _thinned(

@@ -20,7 +20,7 @@ class GridDensity:
 
     between_corners: int = 80
     """Samples of a run between its corners; also the most outputs that are compared."""
-    per_period: int = 24
+    per_period: int = 12
     most_swings: int = 60
     """Swings of the input after which an estimate ends: a longer train repeats itself."""
     fewest_outputs: int = 24

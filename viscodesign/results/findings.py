@@ -66,7 +66,8 @@ class Verdict:
     reason: str
     """Why it is included or neglected, in words."""
     contribution_m: float = 0.0
-    """Estimated displacement of the tip when only this effect is switched [m]."""
+    """Estimated displacement of the tip when only this effect is switched, in the set of effects
+    from which it was weighed last [m]."""
     budget_share: float = 0.0
     """The same as a share of the requested tip error."""
     present: bool = True
@@ -91,7 +92,7 @@ class EffectAblation:
     taken: bool
     """Whether the run includes the effect; the second solution has it switched."""
     estimated_m: float
-    """The verdict's contribution [m]."""
+    """Estimated displacement, from the run's own set of effects [m]."""
     measured_m: float | None
     """Largest distance of the tips over all output times [m]; None where there is no solution."""
     solve_s: float

@@ -61,7 +61,7 @@ def _switched(
     verdict: Verdict,
     workspace: Workspace,
 ) -> tuple[EffectAblation, Run | None]:
-    known = (verdict.name, verdict.taken, verdict.contribution_m)
+    known = (verdict.name, verdict.taken, selection.switched_m(verdict.name))
     try:
         run = solve(quantities, selection.with_flipped(verdict.name), settings, workspace=workspace)
     except ViscodesignError as error:

@@ -17,14 +17,14 @@ from tests.scenes import LEG_LENGTH, leg
 from viscodesign import check, simulate
 from viscodesign.checks.check import Check
 from viscodesign.effects import select, tip_displacements
-from viscodesign.effects.allowed_sets import Names
+from viscodesign.effects.allowed_sets import AllowedSets, Names
 from viscodesign.effects.catalogue import catalogue, every_effect
 from viscodesign.effects.gravity import Gravity
 from viscodesign.effects.select import NUMBERS, Selection, select_effects
 from viscodesign.effects.tip_displacements import TipDisplacements
 from viscodesign.estimate import modal_response
 from viscodesign.estimate.linear_network import LinearNetworks
-from viscodesign.estimate.motion_estimate import MotionEstimate
+from viscodesign.estimate.motion_estimate import MotionEstimate, tips
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.estimate.term import EstimateTerm
 from viscodesign.results.findings import Verdict
@@ -236,7 +236,7 @@ def test_weight_along_a_straight_leg_is_left_out() -> None:
 
 def test_nothing_is_fed_back_where_nothing_loads_the_rod() -> None:
     assert not verdicts(AUTO, *SLOW)["feedback"].taken
-    assert verdicts(AUTO, *SLOW)["feedback"].contribution_m == 0.0
+    assert verdicts(AUTO, *SLOW, "effects.inertia=off")["feedback"].contribution_m == 0.0
     loaded = verdicts(AUTO, *SLOW, "loads.tip_force.x=2 N")["feedback"]
     assert loaded.contribution_m > 0.0
 
@@ -542,6 +542,38 @@ def test_choosing_solves_few_arrays_of_networks(monkeypatch: pytest.MonkeyPatch)
     select_effects(SceneQuantities(leg(AUTO, "fluid=air", "run.duration=1.01 s")))
     assert len(solved) <= 24
     assert max(solved) >= 5
+
+
+def test_effects_are_weighed_once_where_none_is_left_out_that_others_follow(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Everything, each effect less, and the choice: nothing else is estimated for a verdict."""
+    quantities = SceneQuantities(leg(AUTO, "fluid=air", "effects={inertia: on}"))
+    estimated: list[int] = []
+
+    def counted(estimates: Sequence[MotionEstimate]) -> np.ndarray:
+        estimated.append(len(estimates))
+        return tips(estimates)
+
+    monkeypatch.setattr(tip_displacements, "tips", counted)
+    found = select_effects(quantities)
+    left_out = {effect.name for effect in found.neglected}
+    assert left_out
+    assert not any(found.sets.is_followed(n, found.active) for n in left_out)
+    acting = [v.name for v in found.verdicts if v.present and v.name in found.everything]
+    assert sum(estimated) <= len(acting) + 4
+    told = {v.name: v.contribution_m for v in found.verdicts}
+    for name in left_out & {n for n in acting if found.sets.acts_in(n, found.active)}:
+        lacking = found.sets.without(found.everything, name)
+        assert told[name] == found.displacements.between(found.everything, lacking)
+
+
+def test_what_follows_an_effect() -> None:
+    sets = AllowedSets(SceneQuantities(leg(AUTO, "fluid=air")))
+    assert sets.is_followed("inertia", frozenset({"damping"}))
+    assert not sets.is_followed("inertia", frozenset({"gravity"}))
+    assert sets.is_followed("flow_regime", frozenset({"fluid_inertance"}))
+    assert not sets.is_followed("gravity", sets.everything)
 
 
 def test_a_dominant_effect_is_told_by_the_set_in_which_it_was_weighed() -> None:
