@@ -37,13 +37,16 @@ class JudgingNumbers:
     least_share: float = 1e-3
     """Part of the accuracy below which what they do by the estimates is not judged, where the
     rod does not swing."""
-    stated_per_measured: float = 1.5
-    """Stated error over the measured distance: the rest of both solutions' own errors, of which the
-    coarser one's may hide a part of what is neglected. Of a mesh with less than twice the edges of
-    the coarser one, times `mesh_share`."""
+    stated_per_measured: float = 1.25
+    """Part of the stated error over the measured distance: the rest of both solutions' own errors.
+    Of a mesh with less than twice the edges of the coarser one, times `mesh_share`. What neglected
+    effects do by the estimates is added: the coarser one's own error may hide as much of it."""
     stated_per_estimated: float = 2.0
-    """The least of it, over what neglected effects do by the estimates: their displacement and the
-    error of the coarser mesh may point the same way, and their difference then hides both."""
+    """The least of both, over what neglected effects do by the estimates: their displacement and
+    the error of the coarser mesh may point the same way, and their difference then hides both."""
+    stated_per_told_apart: float = 1.5
+    """Stated error of neglected effects over the distance of two solutions that are equally coarse,
+    in which only they differ."""
     most_apart: float = 5.0
     """Stated error by the estimates, over that by the measured distance, above which a third
     solution decides: either both parts hide each other, or the estimates are far too large."""
@@ -170,6 +173,12 @@ class EffectJudge:
     def is_too_much(self, found: Omission) -> bool:
         """Whether it is more than the part of the accuracy that omissions may spend."""
         return not found.tip_m <= NUMBERS.accuracy_share * self._quantities.requested_m
+
+    def is_far_apart(self, estimated_m: float, found: Omission) -> bool:
+        """Whether estimates say far more than was measured, and both more than the least stated."""
+        least_m = NUMBERS.least_stated * self._quantities.requested_m
+        measured_m = max(JUDGING.stated_per_told_apart * found.tip_m, least_m)
+        return JUDGING.stated_per_estimated * estimated_m > JUDGING.most_apart * measured_m
 
     def escalation(self, selection: Selection, found: Omission) -> EffectEscalation | None:
         """More effects, where those left out do too much; None where the spec forbids them.

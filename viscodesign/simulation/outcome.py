@@ -21,16 +21,16 @@ ESTIMATED = (
 TOGETHER = (
     f"all parts together: {JUDGING.stated_per_measured:g} times the distance to a solution with "
     f"all effects, {JUDGING.coarser_tolerance:g} times the tolerance and half the edges (up to "
-    "twice that where their number is odd); at least "
-    f"{JUDGING.stated_per_estimated:g} times what neglected effects do by the estimates"
+    "twice that where their number is odd), and what neglected effects do by the estimates; at "
+    f"least {JUDGING.stated_per_estimated:g} times the latter"
 )
 APART = (
-    f"all parts together: {JUDGING.stated_per_measured:g} times the difference between two "
+    f"all parts together: {JUDGING.stated_per_told_apart:g} times the difference between two "
     "solutions, with and without the neglected effects, and the last change of the tip when the "
     f"tolerance was divided by {JUDGING.coarser_tolerance:g} and the edge length halved"
 )
 MEASURED = (
-    f"{JUDGING.stated_per_measured:g} times the difference between two solutions, with and "
+    f"{JUDGING.stated_per_told_apart:g} times the difference between two solutions, with and "
     "without them"
 )
 

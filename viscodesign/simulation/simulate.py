@@ -239,20 +239,18 @@ def _judged(
     ``whole``: a coarser solution with all effects.
     """
 
-    least_m = JUDGING.stated_per_estimated * selection.estimated_m
-
-    def measured(finer: Run) -> float:
-        share = JUDGING.stated_per_measured * max(1.0, mesh_share(finer.settings, whole.settings))
-        return selection.stated(share * judge.omission(finer, whole).tip_m)
+    estimated_m = selection.estimated_m
 
     def apart(finer: Run) -> float:
-        return max(measured(finer), least_m)
+        share = JUDGING.stated_per_measured * max(1.0, mesh_share(finer.settings, whole.settings))
+        measured_m = share * judge.omission(finer, whole).tip_m + estimated_m
+        return selection.stated(max(measured_m, JUDGING.stated_per_estimated * estimated_m))
 
     verifier.compare_flows(whole, run)
-    measured_m = measured(run)
-    verifier.neglected_m = max(measured_m, least_m)
+    found = judge.omission(run, whole)
+    verifier.neglected_m = apart(run)
     is_enough = verifier.neglected_m <= verifier.requested_m
-    is_doubtful = judge.are_corrected(selection) or least_m > JUDGING.most_apart * measured_m
+    is_doubtful = judge.are_corrected(selection) or judge.is_far_apart(estimated_m, found)
     if (is_enough and not is_doubtful) or run.solution.asked_to_stop:
         return apart, None
     try:
@@ -261,8 +259,10 @@ def _judged(
         verifier.interrupted = True
         return None, None
     verifier.interrupted = alike.solution.asked_to_stop
-    found = judge.omission(alike if alike.is_complete else run, whole)
-    neglected_m = measured(alike) if alike.is_complete else verifier.neglected_m
+    neglected_m = verifier.neglected_m
+    if alike.is_complete:
+        found = judge.omission(alike, whole)
+        neglected_m = selection.stated(JUDGING.stated_per_told_apart * found.tip_m)
     verifier.neglected_m, verifier.measured_neglected = neglected_m, True
     if verifier.interrupted:
         return None, None

@@ -72,10 +72,11 @@ def test_it_is_the_whole_error_that_a_run_states() -> None:
     found = judge.omission(run, whole(judge, selection, run))
     accuracy = simulate(leg(*SHORT)).accuracy
     least_m = JUDGING.stated_per_estimated * selection.estimated_m
-    stated = selection.stated(max(JUDGING.stated_per_measured * found.tip_m, least_m))
+    measured_m = JUDGING.stated_per_measured * found.tip_m
+    stated = selection.stated(max(measured_m + selection.estimated_m, least_m))
     assert accuracy.estimated_tip_error_m == accuracy.omitted_m == stated
     assert accuracy.time_m is accuracy.space_m is None
-    assert "1.5 times the distance to a solution with all effects" in accuracy.method
+    assert "1.25 times the distance to a solution with all effects" in accuracy.method
 
 
 def test_settings_of_the_coarser_solution_halve_the_mesh() -> None:
@@ -184,7 +185,7 @@ def test_effects_are_told_from_steps_once_estimates_were_corrected(
     everything = whole(judge_of(quantities, selection), selection, run)
     alike = solve(quantities, selection.effects, everything.settings)
     effects_m = selection.stated(
-        JUDGING.stated_per_measured * tip_difference(alike.motion, everything.motion)
+        JUDGING.stated_per_told_apart * tip_difference(alike.motion, everything.motion)
     )
     steps_m = mesh_share(run.settings, alike.settings) * tip_difference(alike.motion, run.motion)
     assert found.accuracy.estimated_tip_error_m == pytest.approx(effects_m + steps_m)
@@ -317,9 +318,14 @@ def test_errors_that_hide_each_other_are_stated_by_the_estimates(
 ) -> None:
     """What is left out and the coarser mesh may move the tip alike: then they are not far apart."""
     _, selection, _ = judged()
-    monkeypatch.setattr(EffectJudge, "omission", lambda *_: Omission(selection.estimated_m, 0.0))
-    stated = simulate(leg(*SHORT)).accuracy.estimated_tip_error_m
-    assert stated == selection.stated(JUDGING.stated_per_estimated * selection.estimated_m)
+    least_m = selection.stated(JUDGING.stated_per_estimated * selection.estimated_m)
+    for share in (0.5, 0.8, 1.0):
+        measured_m = share * selection.estimated_m
+        monkeypatch.setattr(EffectJudge, "omission", lambda *_, m=measured_m: Omission(m, 0.0))
+        stated = simulate(leg(*SHORT)).accuracy.estimated_tip_error_m
+        both_m = JUDGING.stated_per_measured * measured_m + selection.estimated_m
+        assert stated == max(least_m, both_m)
+        assert (stated == least_m) == (share <= 0.8)
     assert selection.estimated_m > 0.0
 
 
@@ -338,7 +344,7 @@ def test_a_distance_far_below_the_estimates_is_judged_by_a_third_solution(
     quantities, selection, run = judged(LENIENT)
     everything = whole(judge_of(quantities, selection), selection, run)
     alike = solve(quantities, selection.effects, everything.settings)
-    effects_m = JUDGING.stated_per_measured * tip_difference(alike.motion, everything.motion)
+    effects_m = JUDGING.stated_per_told_apart * tip_difference(alike.motion, everything.motion)
     assert accuracy.estimated_tip_error_m is not None
     assert accuracy.estimated_tip_error_m > effects_m > NUMBERS.least_stated * accuracy.requested_m
     assert "between two solutions, with and without" in accuracy.method
