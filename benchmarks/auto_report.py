@@ -37,10 +37,10 @@ def report_lines(records: list[Record], seed: int) -> list[str]:
         "`python benchmarks/auto_study.py`.",
         "",
         "**What is independent.** The settings of the coarser solution were chosen on scenes of "
-        f"seed 11, the factor {JUDGING.stated_per_measured:g} because of scenes 38 and 41 of seed "
-        "70707 over the plane; scenes of this seed had not been run before. At least "
-        f"{JUDGING.stated_per_estimated:g} times the estimates are stated because of scenes "
-        "7 of seed 5051 and 4 and 52 of seed 31337; a third solution is asked "
+        f"seed 11, what is stated ({JUDGING.stated_per_measured:g} times the distance, and the "
+        "estimates) on scenes of seeds 70707 and 31337; scenes of this seed had not been run "
+        f"before. At least {JUDGING.stated_per_estimated:g} times the estimates are stated because "
+        "of scenes 7 of seed 5051 and 4 and 52 of seed 31337; a third solution is asked "
         "for because of scenes 10 of seed 7717 and 21, 26 and 33 of seed 31337. These seeds "
         "therefore do not judge it. The reference is this program's own: everything on, a finer "
         "mesh, a smaller tolerance. It tells errors of choice, steps and mesh, not those of the "
@@ -48,7 +48,7 @@ def report_lines(records: list[Record], seed: int) -> list[str]:
         "",
         *(line for r in records if r["kind"] == "note" for line in (r["text"], "")),
         f"Compared: {len(judged)} scenes. Not compared: {len(ends) - len(judged)}; a scene has "
-        "60 s of CPU for all of its runs and its reference, so the costly ones are missing.",
+        "120 s of CPU for all of its runs and its reference, so the costly ones are missing.",
         "",
         "## The error",
         "",

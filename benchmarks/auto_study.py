@@ -26,8 +26,8 @@ from scene_runs import Record, forget_choices, loaded, options, run_all, say
 
 HERE = Path(__file__).parent
 RESULTS = HERE / "results" / "auto_study.jsonl"
-SEED = 80808
-LIMIT, CPU_LIMIT = 900.0, 60
+SEED = 61616
+LIMIT, CPU_LIMIT = 900.0, 120
 """Wall and CPU time of one scene [s]."""
 DRAWS = (scene_draw.draw, ringing_draw.draw)
 """Scenes of even and of odd index."""
@@ -37,7 +37,7 @@ EVERYTHING = ("effects={others: on}",)
 def main() -> None:
     """Run and report."""
     parser = options(__doc__.splitlines()[0], LIMIT, RESULTS)
-    parser.set_defaults(seed=SEED, scenes=60)
+    parser.set_defaults(seed=SEED, scenes=120)
     given = parser.parse_args()
     if given.only is not None:
         resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT, CPU_LIMIT))
