@@ -38,6 +38,11 @@ class JumpCriteria:
     distinct_distance: float = 1e-6
     """Distance, in sizes of the unknowns, from which two solutions of the same equations are two
     equilibria."""
+    looks_per_range: int = 64
+    """Looks at the rod's stability while an unknown changes by as much as in the whole solution:
+    where next to nothing changes, the equilibrium stays what it is."""
+    least_turn: float = 1e-3
+    """Changes before and after a turn, in parts of that, from which it is one."""
     parts_of_failed_interval: int = 64
     """Into which an interval that no solver passes is cut, to find where the branch ends."""
 
@@ -69,12 +74,12 @@ class BranchJumpDetector:
         each; ``found`` (nz, m).
         """
         every = np.column_stack((algebraics, found))
-        rates = AlgebraicRates(self.problem, first, states, every)
-        stable = self.stability.are_stable(rates.jacobians[1:])
         moved = np.diff(every[self.span], axis=1)
-        distances = np.max(np.abs(moved), axis=0)
-        for k in np.flatnonzero(~stable | (distances > self.min_move)).tolist():
-            if stable[k] and self._is_smooth(rates, k, moved[:, k]):
+        is_far = np.max(np.abs(moved), axis=0) > self.min_move
+        rates = AlgebraicRates(self.problem, first, states, every)
+        is_stable = self._stable_ends(rates, self._looks(states, every, is_far))
+        for k in np.flatnonzero(~is_stable[1:] | is_far).tolist():
+            if is_stable[k + 1] and self._is_smooth(rates, k, moved[:, k]):
                 continue
             points = self._ends(first + k, states[:, k], states[:, k + 1])
             try:
@@ -84,6 +89,40 @@ class BranchJumpDetector:
             if failure is not None:
                 return k, failure
         return found.shape[1], None
+
+    def _looks(self, states: np.ndarray, every: np.ndarray, is_far: np.ndarray) -> np.ndarray:
+        """Ends of intervals (n,) between which little changes: also where a state turns back, as a
+        load is largest there, the last one, and those of far moves.
+        """
+        unknowns = np.concatenate([states, every])
+        tolerance = self.min_move / JUMP.min_move
+        part = np.maximum(np.ptp(unknowns, axis=1) / JUMP.looks_per_range, tolerance)
+        changes = np.diff(unknowns, axis=1) / part[:, None]
+        passed = np.floor(np.cumsum(np.max(np.abs(changes), axis=0)))
+        own = changes[: len(states)]
+        turns = np.any(own[:, :-1] * own[:, 1:] < -(JUMP.least_turn**2), axis=0)
+        chosen = np.zeros(every.shape[1], dtype=bool)
+        chosen[1:] = np.diff(passed, prepend=0.0) > 0.0
+        chosen[1:-1] |= turns
+        chosen[1:] |= is_far
+        chosen[:-1] |= is_far
+        chosen[-1] = True
+        return np.flatnonzero(chosen)
+
+    def _stable_ends(self, rates: AlgebraicRates, looks: np.ndarray) -> np.ndarray:
+        """Whether the rod is stable at every end (m + 1,).
+
+        Between two looks it is where it is at both; else all ends between them are looked at.
+        """
+        is_stable = np.ones(rates.count, dtype=bool)
+        is_stable[looks] = self.stability.are_stable(rates.jacobians(looks))
+        between = np.diff(np.concatenate([[-1], looks]))
+        doubtful = np.repeat(~is_stable[looks], between)
+        before = np.repeat(np.append(True, is_stable[looks[:-1]]), between)
+        more = np.flatnonzero((doubtful | ~before) & ~np.isin(np.arange(rates.count), looks))
+        if len(more):
+            is_stable[more] = self.stability.are_stable(rates.jacobians(more))
+        return is_stable
 
     def _is_smooth(self, rates: AlgebraicRates, k: int, moved: np.ndarray) -> bool:
         """Whether the rod has moved in an interval as its rates predict."""
@@ -116,24 +155,43 @@ class BranchJumpDetector:
 
 
 class AlgebraicRates:
-    """How fast algebraic unknowns change, at the ends of intervals from an edge on."""
+    """How fast algebraic unknowns change, at the ends of intervals from an edge on.
+
+    Evaluated at the ends that are asked for.
+    """
 
     def __init__(
         self, problem: Problem, first: int, states: np.ndarray, algebraics: np.ndarray
     ) -> None:
-        schedule, count = problem.schedule, algebraics.shape[1]
-        times = schedule.edges[first : first + count]
-        pieces = schedule.pieces[np.minimum(first + np.arange(count), len(schedule.pieces) - 1)]
-        self.algebraics = algebraics
-        self.steps = np.diff(times)
-        function = problem.equations.taped(_following)
-        given = [states.T, algebraics.T, times[:, None], pieces, problem.numbers()]
-        self._drift, self.jacobians = function.rows(given, count)
-        """Nonzeros of the algebraic equations' Jacobian (m + 1, nnz), column by column."""
-        pattern = function.sparsities[1]
+        self.count = algebraics.shape[1]
+        """Number of ends (m + 1)."""
+        edges = problem.schedule.edges[first : first + self.count]
+        self.steps = np.diff(edges)
+        self._problem, self._first = problem, first
+        self._states, self._algebraics, self._times = states, algebraics, edges
+        self._function = problem.equations.taped(_following)
+        pattern = self._function.sparsities[1]
         rows, starts = (np.array(k, dtype=np.int32) for k in (pattern.row(), pattern.colind()))
         self._pattern = rows, starts
+        self._found: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+        """Drift and nonzeros of the Jacobian, by end."""
         self._known: dict[int, np.ndarray] = {}
+
+    def jacobians(self, ends: np.ndarray) -> np.ndarray:
+        """Nonzeros of the algebraic equations' Jacobian (n, nnz) at ends, column by column."""
+        self._evaluate([k for k in ends.tolist() if k not in self._found])
+        return np.array([self._found[k][1] for k in ends.tolist()])
+
+    def _evaluate(self, ends: list[int]) -> None:
+        if not ends:
+            return
+        problem, own = self._problem, np.array(ends)
+        pieces = problem.schedule.pieces
+        piece = pieces[np.minimum(self._first + own, len(pieces) - 1)]
+        unknowns = self._states[:, own].T, self._algebraics[:, own].T
+        given = [*unknowns, self._times[own, None], piece, problem.numbers()]
+        found = self._function.rows(given, len(own))
+        self._found.update(zip(ends, zip(*found, strict=True), strict=True))
 
     def at(self, k: int) -> np.ndarray:
         """Rates (nz,) at the k-th end; infinite where the equations are singular."""
@@ -141,10 +199,12 @@ class AlgebraicRates:
             from scipy.sparse import csc_matrix
             from scipy.sparse.linalg import splu
 
-            size = len(self.algebraics)
-            matrix = csc_matrix((self.jacobians[k], *self._pattern), shape=(size, size))
+            self._evaluate([k] if k not in self._found else [])
+            drift, entries = self._found[k]
+            size = len(self._algebraics)
+            matrix = csc_matrix((entries, *self._pattern), shape=(size, size))
             try:
-                self._known[k] = -splu(matrix).solve(self._drift[k])
+                self._known[k] = -splu(matrix).solve(drift)
             except RuntimeError:  # raised for a singular matrix
                 self._known[k] = np.full(size, np.inf)
         return self._known[k]

@@ -180,6 +180,58 @@ def test_a_jump_of_the_solver_is_detected() -> None:
     assert "another equilibrium branch" in str(left)
 
 
+def test_stability_is_looked_at_where_something_changes() -> None:
+    """Ends of a slow ramp with a rest and a turn, against all of them where one is unstable."""
+    problem, here = made(*snapping(0.1))
+    detector = branch_jumps.BranchJumpDetector(problem, 1e-5)
+    count = 1000
+    load = np.interp(np.arange(count), [0, 300, 600, 699, 800, 999], [0, 0.5, 0.5, 1, 0.9, 0.9])
+    states = load * np.ones((len(here.states), 1))
+    every = np.repeat(here.algebraics[:, None], count, axis=1)
+    looks = detector._looks(states, every, np.zeros(count - 1, dtype=bool))
+    assert len(looks) < 2 * branch_jumps.JUMP.looks_per_range
+    part = 1 / branch_jumps.JUMP.looks_per_range
+    assert np.max(np.abs(np.diff(load[looks], prepend=0.0))) < part + np.max(np.abs(np.diff(load)))
+    assert {699, 999} <= set(looks.tolist())
+    assert not np.any((looks > 310) & (looks < 590))
+    is_far = np.zeros(count - 1, dtype=bool)
+    is_far[450] = True
+    assert {450, 451} <= set(detector._looks(states, every, is_far).tolist())
+
+    asked: list[int] = []
+
+    class Rates:
+        def __init__(self) -> None:
+            self.count = count
+
+        def jacobians(self, ends: np.ndarray) -> np.ndarray:
+            asked.extend(ends.tolist())
+            return load[ends][:, None]
+
+    class UpToALoad:
+        def are_stable(self, entries: np.ndarray) -> np.ndarray:
+            return np.asarray(entries[:, 0] < 0.951)
+
+    detector.stability = UpToALoad()  # type: ignore[assignment]
+    found = detector._stable_ends(Rates(), looks)  # type: ignore[arg-type]
+    assert np.array_equal(found, load < 0.951)
+    assert len(asked) == len(set(asked)) < 300
+
+
+@pytest.mark.parametrize("interval", [0.01, 0.4])
+def test_few_looks_find_the_same_fold(interval: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = simulate(leg(*snapping(interval)), verify=False)
+    monkeypatch.setattr(
+        branch_jumps.BranchJumpDetector,
+        "_looks",
+        lambda self, states, every, is_far: np.arange(every.shape[1]),
+    )
+    full = simulate(leg(*snapping(interval)), verify=False)
+    assert run.failure == full.failure
+    assert "limit point" in (run.failure or "")
+    assert np.array_equal(run.tip, full.tip)
+
+
 def test_only_a_static_rod_beside_a_fluid_has_branches() -> None:
     arcs, _ = made("effects={pressure_distribution: on, others: off}", "run={duration: 1 s}")
     assert not branch_jumps.has_branches(arcs)
