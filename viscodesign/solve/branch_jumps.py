@@ -51,7 +51,7 @@ JUMP = JumpCriteria()
 
 
 class BranchJumpDetector:
-    """Checks a solver's solution at every output: is the rod still on its branch?
+    """Checks a solver's solution: is the rod still on its branch?
 
     Where the solution continues smoothly, its rates at both ends of an interval show that;
     elsewhere the rod's branch is followed from one end to the other.
