@@ -127,6 +127,9 @@ class EffectJudge:
         self._workspace = workspace
         self._found: Run | None = None
         self._tried = False
+        self.told: tuple[Run, Omission] | None = None
+        """What told neglected effects from steps: a solution without them, as coarse as the one
+        with everything, and how far they are apart."""
         self._additions = 0
 
     def everything(self, selection: Selection, settings: Settings) -> Run | None:
@@ -140,14 +143,20 @@ class EffectJudge:
             return None
         if not self._tried:
             self._tried = True
-            effects = selection.members(selection.everything)
-            own = (self._quantities, effects, coarser(settings), self._progress, self._workspace)
             with contextlib.suppress(SpecError, SolveError):
-                refuse_unsolvable(self._quantities, selection.everything)
-                self._found = solve(*own)
+                self._found = self.solve_everything(selection, coarser(settings))
         found = self._found
         is_useful = found is not None and (found.is_complete or found.solution.asked_to_stop)
         return found if is_useful else None
+
+    def solve_everything(self, selection: Selection, settings: Settings) -> Run:
+        """A solution with all effects.
+
+        Raises `SpecError` where the scene is refused with them, `SolveError` where it cannot start.
+        """
+        refuse_unsolvable(self._quantities, selection.everything)
+        effects = selection.members(selection.everything)
+        return solve(self._quantities, effects, settings, self._progress, self._workspace)
 
     def _is_spared(self, selection: Selection, settings: Settings) -> bool:
         """Whether estimates are enough: one solution of a rod with inertia costs as much."""

@@ -21,7 +21,13 @@ from viscodesign.simulation.build_problem import suggest_settings
 from viscodesign.simulation.confirmed_event import EventDoubt, confirm_event
 from viscodesign.simulation.doubts import doubts
 from viscodesign.simulation.error_control import ErrorParts, Verifier
-from viscodesign.simulation.judged_effects import JUDGING, EffectJudge, judgeable, mesh_share
+from viscodesign.simulation.judged_effects import (
+    JUDGING,
+    EffectJudge,
+    coarser,
+    judgeable,
+    mesh_share,
+)
 from viscodesign.simulation.measured_effects import measure_effects
 from viscodesign.simulation.missed_effects import EffectEscalation, escalation
 from viscodesign.simulation.outcome import accuracy_of, outcome_of
@@ -204,8 +210,11 @@ def _solve(quantities: SceneQuantities, selection: Selection, request: _Request)
     if more is not None or not request.verify or verifier.interrupted:
         return _SolvedScene(selection, verifier, run, None, more)
     run, parts, doubt = _verified(run, verifier, whole_error)
+    if parts is not None and not verifier.interrupted:
+        parts, more = _judged_again(selection, run, parts, verifier, request.judge)
     with request.watch("choose"):
-        more = None if verifier.interrupted else escalation(quantities, selection, run)
+        called = None if verifier.interrupted else escalation(quantities, selection, run)
+        more = called or more
     more = more or request.judge.at_event(selection, run)
     return _SolvedScene(selection, verifier, run, parts, more, doubt)
 
@@ -262,6 +271,7 @@ def _judged(
     neglected_m = verifier.neglected_m
     if alike.is_complete:
         found = judge.omission(alike, whole)
+        judge.told = alike, found
         neglected_m = selection.stated(JUDGING.stated_per_told_apart * found.tip_m)
     verifier.neglected_m, verifier.measured_neglected = neglected_m, True
     if verifier.interrupted:
@@ -274,3 +284,37 @@ def _judged(
     if alike.is_complete and of_steps_and_effects(run) <= verifier.requested_m:
         return of_steps_and_effects, None
     return None, judge.escalation(selection, found) if judge.is_too_much(found) else None
+
+
+def _judged_again(
+    selection: Selection, run: Run, parts: ErrorParts, verifier: Verifier, judge: EffectJudge
+) -> tuple[ErrorParts, EffectEscalation | None]:
+    """The error of a refined run, its neglected effects measured anew where that is needed.
+
+    That is where refinement has moved the tip farther than they did: the coarse solutions that
+    told it may not ring at all where the fine ones ring for long, and then show next to nothing of
+    what shifts a frequency.
+    """
+    told, judge.told = judge.told, None
+    if told is None or parts.time_m is None or run.solution.asked_to_stop:
+        return parts, None
+    (alike, found), coarse = told, coarser(run.settings)
+    for settings in (coarse, replace(coarse, tolerance=run.settings.tolerance)):
+        if tip_difference(alike.motion, run.motion) <= found.tip_m:
+            break
+        try:
+            whole, alike = judge.solve_everything(selection, settings), verifier.solve(settings)
+        except (SpecError, SolveError):  # with everything it was solved before, if more coarsely
+            break
+        except KeyboardInterrupt:  # before its first step
+            verifier.interrupted = True
+            break
+        verifier.interrupted = whole.solution.asked_to_stop or alike.solution.asked_to_stop
+        if not (whole.is_complete and alike.is_complete):
+            break
+        found = judge.omission(alike, whole)
+        neglected_m = selection.stated(JUDGING.stated_per_told_apart * found.tip_m)
+        parts = replace(parts, neglected_m=max(neglected_m, parts.neglected_m))
+    verifier.neglected_m = parts.neglected_m
+    is_enough = parts.total_m <= verifier.requested_m or verifier.interrupted
+    return parts, None if is_enough else judge.escalation(selection, found)
