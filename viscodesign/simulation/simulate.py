@@ -291,16 +291,21 @@ def _judged_again(
 ) -> tuple[ErrorParts, EffectEscalation | None]:
     """The error of a refined run, its neglected effects measured anew where that is needed.
 
-    That is where refinement has moved the tip farther than they did: the coarse solutions that
-    told it may not ring at all where the fine ones ring for long, and then show next to nothing of
-    what shifts a frequency.
+    That is where refinement has moved the tip as far as they did: the coarse solutions that told it
+    may not ring at all where the fine ones ring for long, and then show next to nothing of what
+    shifts a frequency. What is left of that counts as if it hid as much.
     """
     told, judge.told = judge.told, None
     if told is None or parts.time_m is None or run.solution.asked_to_stop:
         return parts, None
     (alike, found), coarse = told, coarser(run.settings)
-    for settings in (coarse, replace(coarse, tolerance=run.settings.tolerance)):
-        if tip_difference(alike.motion, run.motion) <= found.tip_m:
+    for settings in (coarse, replace(coarse, tolerance=run.settings.tolerance), None):
+        unresolved_m = tip_difference(alike.motion, run.motion)
+        least_m = JUDGING.stated_per_told_apart * found.tip_m
+        neglected_m = selection.stated(max(least_m, found.tip_m + unresolved_m))
+        parts = replace(parts, neglected_m=neglected_m)
+        is_enough = parts.total_m <= verifier.requested_m
+        if is_enough or least_m >= found.tip_m + unresolved_m or settings is None:
             break
         try:
             whole, alike = judge.solve_everything(selection, settings), verifier.solve(settings)
@@ -313,8 +318,6 @@ def _judged_again(
         if not (whole.is_complete and alike.is_complete):
             break
         found = judge.omission(alike, whole)
-        neglected_m = selection.stated(JUDGING.stated_per_told_apart * found.tip_m)
-        parts = replace(parts, neglected_m=max(neglected_m, parts.neglected_m))
     verifier.neglected_m = parts.neglected_m
-    is_enough = parts.total_m <= verifier.requested_m or verifier.interrupted
-    return parts, None if is_enough else judge.escalation(selection, found)
+    is_over = is_enough or verifier.interrupted
+    return parts, None if is_over else judge.escalation(selection, found)
