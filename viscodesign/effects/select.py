@@ -132,13 +132,19 @@ class Selection:
         if active is None or active == self.active:
             return None
         active = self.sets.with_free(active)
+        found = replace(self, active=active)
         verdicts = tuple(
-            replace(v, taken=True, reason=f"included: {why}")
-            if v.name in active - self.active
-            else v
-            for v in self.verdicts
+            found._included(v, why) if v.name in active - self.active else v for v in self.verdicts
         )
-        return replace(self, active=active, verdicts=verdicts)
+        return replace(found, verdicts=verdicts)
+
+    def _included(self, before: Verdict, why: str) -> Verdict:
+        """The verdict on an effect that a run called for, as it is in this set."""
+        moved_m = self.switched_m(before.name)
+        share, reason = moved_m / self.sets.quantities.requested_m, f"included: {why}"
+        return replace(
+            before, taken=True, reason=reason, contribution_m=moved_m, budget_share=share
+        )
 
     def switched(self, wanted: Mapping[str, bool]) -> Names | None:
         """What is active with effects switched on or off; None where that is not allowed."""

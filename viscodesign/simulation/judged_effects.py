@@ -48,8 +48,9 @@ class JudgingNumbers:
     """Stated error of neglected effects over the distance of two solutions that are equally coarse,
     in which only they differ."""
     most_apart: float = 5.0
-    """Stated error by the estimates, over that by the measured distance, above which a third
-    solution decides: either both parts hide each other, or the estimates are far too large."""
+    """Error by the estimates alone (`stated_per_estimated`), over that by the measured distance
+    alone (`stated_per_told_apart`), above which a third solution decides: either both parts hide
+    each other, or the estimates are far too large."""
     coarser_tolerance: float = 10.0
     """Tolerance of the solution with everything, over that of the run."""
     energy_margin: float = 3.0
@@ -184,7 +185,7 @@ class EffectJudge:
         return not found.tip_m <= NUMBERS.accuracy_share * self._quantities.requested_m
 
     def is_far_apart(self, estimated_m: float, found: Omission) -> bool:
-        """Whether estimates say far more than was measured, and both more than the least stated."""
+        """Whether estimates say far more than was measured, and than is stated at least."""
         least_m = NUMBERS.least_stated * self._quantities.requested_m
         measured_m = max(JUDGING.stated_per_told_apart * found.tip_m, least_m)
         return JUDGING.stated_per_estimated * estimated_m > JUDGING.most_apart * measured_m
@@ -194,8 +195,7 @@ class EffectJudge:
 
         The one that does most by the estimates comes first; all of them where that is not enough.
         """
-        left_out = {effect.name for effect in selection.neglected}
-        does = {v.name: v.contribution_m for v in selection.verdicts if v.name in left_out}
+        does = {own.name: selection.switched_m(own.name) for own in selection.neglected}
         single = self._additions < JUDGING.single_additions
         self._additions += 1
         chosen = [max(does, key=lambda name: does[name])] if single else sorted(does)

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.scenes import leg
-from viscodesign import simulate
+from tests.scenes import CONFIGS, leg
+from viscodesign import load, simulate
 from viscodesign.effects.select import select_effects
 from viscodesign.estimate.scene_quantities import SceneQuantities
 from viscodesign.report.run_folder import write_run
-from viscodesign.simulation.build_problem import Settings
+from viscodesign.simulation.build_problem import Settings, build
 from viscodesign.simulation.solve_once import solve
 from viscodesign.solve.solvers.rodas_stretch import CONTROL
 
@@ -82,3 +82,20 @@ def test_straight_inputs_take_as_few_steps_as_the_tolerance_allows() -> None:
         "rise_time: 6 s, transition: 0.1 s}"
     )
     assert smooth >= CONTROL.min_steps_per_stretch
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "expected"),
+    [("square", "square", True), ("square", "sine", False), ("sine", "sine", False)],
+)
+def test_inputs_are_straight_where_all_of_them_are(left: str, right: str, expected: bool) -> None:
+    kinds = {
+        "square": {"kind": "square", "high": "2 kPa", "low": 0, "frequency": "1 Hz"},
+        "sine": {"kind": "sine", "amplitude": "2 kPa", "frequency": "1 Hz"},
+    }
+    spec = CONFIGS / "antagonistic_two_inlets.yaml"
+    names = tuple(load(spec).inputs)
+    scene = load(spec, {"inputs": dict(zip(names, (kinds[left], kinds[right]), strict=True))})
+    quantities = SceneQuantities(scene)
+    problem = build(quantities, select_effects(quantities).effects, Settings(1, 1e-3))
+    assert problem.has_straight_inputs is expected
