@@ -101,7 +101,7 @@ def _cost_lines(judged: list[Record]) -> list[str]:
     }
     lines = [
         "CPU time of `auto` over that of everything on: median, and 10 % to 90 %. Both have to "
-        "estimate every effect, `auto` about twice as many sets of them.",
+        "estimate every effect, `auto` in a few more sets.",
         "",
         "| scenes | count | again in one process | again, effects weighed anew | the first time |",
         "|---|---|---|---|---|",

@@ -37,7 +37,7 @@ EVERYTHING = ("effects={others: on}",)
 def main() -> None:
     """Run and report."""
     parser = options(__doc__.splitlines()[0], LIMIT, RESULTS)
-    parser.set_defaults(seed=SEED, scenes=120)
+    parser.set_defaults(seed=SEED, scenes=60)
     given = parser.parse_args()
     if given.only is not None:
         resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT, CPU_LIMIT))
