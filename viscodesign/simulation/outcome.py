@@ -31,7 +31,7 @@ APART = (
 )
 MEASURED = (
     f"{JUDGING.stated_per_told_apart:g} times the difference between two solutions, with and "
-    "without them"
+    "without them, or that and what the latter lacks of the run, if that is more"
 )
 
 
